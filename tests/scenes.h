@@ -183,9 +183,9 @@ inline Scene sticky(const Mesh& egg = scaled(makeIcosphere(1), 0.95)) {
 }
 
 /// Returns the scene with quasi-static growth, without time step and motility.
-inline Scene settling(Scene s, Integrator integrator = Integrator::fire) {
-  s.name += std::string(" by ") + nameOf(integrator);
-  s.mechanics->physics.integrator = integrator;
+inline Scene settling(Scene s) {
+  s.name += " settling";
+  s.mechanics->physics.integrator = Integrator::quasiStatic;
   s.mechanics->physics.timeStep.reset();
   s.mechanics->physics.motility.reset();
   return s;

@@ -52,8 +52,12 @@ double randomNormal(const Draw& draw, std::uint32_t number) {
     const double s = u * u + v * v;
     if (!(s > 0 && s < 1)) continue;
     const double deviate = u * std::sqrt(-2 * naturalLog(s) / s);
-    if (deviate >= -largestDeviate && deviate <= largestDeviate) return deviate;
+    if (deviate >= -largestNormal && deviate <= largestNormal) return deviate;
   }
+}
+
+double randomDeviate(const Draw& draw, std::uint32_t number) {
+  return randomNormal(draw, number) / deviationOfNormal;
 }
 
 }  // namespace morula

@@ -41,11 +41,19 @@ double randomUnit(const Draw& draw, std::uint32_t number);
 Vector randomDirection(const Draw& draw);
 
 /// The largest distance of a normal deviate from 0.
-constexpr double largestDeviate = 3;
+constexpr double largestNormal = 3;
+/// The standard deviation of normal deviates within ±3: √(1 − 6 φ(3)/(2 Φ(3) − 1)).
+constexpr double deviationOfNormal = 0.9865783925581086;
+/// The largest distance of randomDeviate from 0.
+constexpr double largestDeviate = largestNormal / deviationOfNormal;
 
 /// Returns a deviate of the normal distribution with mean 0 and standard deviation 1. A deviate beyond ±3 is drawn
-/// anew, so that nothing strays without bound; the standard deviation of the others is 0.9866. Polar method [Marsaglia
-/// & Bray 1964]: s = u² + v² in (0, 1), u √(−2 ln s / s). `number` below 2²⁴.
+/// anew, so that nothing strays without bound; the others have the standard deviation deviationOfNormal. Polar method
+/// [Marsaglia & Bray 1964]: s = u² + v² in (0, 1), u √(−2 ln s / s). `number` below 2²⁴.
 double randomNormal(const Draw& draw, std::uint32_t number = 0);
+
+/// Returns randomNormal over its standard deviation: a bounded deviate of standard deviation 1, for variations whose
+/// deviation a scene states. At most 3.041 from 0.
+double randomDeviate(const Draw& draw, std::uint32_t number = 0);
 
 }  // namespace morula

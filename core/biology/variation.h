@@ -1,5 +1,5 @@
 #pragma once
-// Deviations by which no two organisms are alike; a seed decides them [base/random.h, randomNormal]. Each deviation
+// Deviations by which no two organisms are alike; a seed decides them [base/random.h, randomDeviate]. Each deviation
 // belongs to a cell's lineage path and to what deviates, so a cell has the same one whatever else the scene does.
 #include "base/members.h"
 

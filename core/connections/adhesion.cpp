@@ -63,6 +63,7 @@ class Pulls {
 }  // namespace
 
 void addConnectionForces(Connections& c, const std::vector<CellPath>& paths, Bodies& bodies, int threads) {
+  c.isCurrent = true;
   ConnectionScratch& scratch = c.scratch;
   findEnds(scratch, c, paths);
   const int cells = static_cast<int>(paths.size());

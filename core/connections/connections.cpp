@@ -39,6 +39,7 @@ void connect(Connections& c, const CellPath& a, const CellPath& b, double time) 
   const auto at = place(c, pair) - c.active.begin();
   c.history.push_back({pair.first, pair.second, time});
   c.active.insert(c.active.begin() + at, c.history.size() - 1);
+  c.isCurrent = false;
 }
 
 void release(Connections& c, const CellPath& a, const CellPath& b, double time, ReleaseCause cause) {
@@ -48,6 +49,7 @@ void release(Connections& c, const CellPath& a, const CellPath& b, double time, 
   record.released = time;
   record.cause = cause;
   c.active.erase(c.active.begin() + at);
+  c.isCurrent = false;
 }
 
 void releaseAll(Connections& c, const CellPath& cell, double time, ReleaseCause cause) {

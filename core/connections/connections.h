@@ -43,6 +43,7 @@ struct Connections {
   std::vector<std::size_t> active;        // places in history, by (a, b)
 
   ConnectionScratch scratch;
+  bool isCurrent = true;  // the last forces are those of `active`
 };
 
 bool areConnected(const Connections& connections, const CellPath& a, const CellPath& b);

@@ -40,7 +40,7 @@ class RuledDivision final : public DivisionPolicy {
     if (rule && rule->share) cut.share = rule->share;
     if (variation_.share > 0)
       cut.share =
-          cut.share.value_or(0.5) + variation_.share * randomNormal({seed_, cell.path, 0, Purpose::shareVariation});
+          cut.share.value_or(0.5) + variation_.share * randomDeviate({seed_, cell.path, 0, Purpose::shareVariation});
     return cut;
   }
 

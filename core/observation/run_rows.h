@@ -127,14 +127,8 @@ void listFields(T& settling, auto&& field) {
   field({"cells"}, cells);
   field({"evaluations", "of the forces"}, evaluations);
   field({"residual", "tractions left over the pressure in cells"}, residual);
-  field({"energy_left",
-         "of the motion left (quasi-static); that cells lose until the residual is a hundredth of the tolerance "
-         "(physics.settle.sample)",
-         "force·length"},
-        energyLeft);
-  field({"displacement_left",
-         "the farthest that a vertex goes on the way to physics.quasi-static.residual, or of physics.settle.sample",
-         "length"},
+  field({"energy_left", "of the motion left", "force·length"}, energyLeft);
+  field({"displacement_left", "the farthest that a vertex goes on the way to physics.quasi-static.residual", "length"},
         displacementLeft);
 }
 

@@ -80,12 +80,7 @@ constexpr IntegratorKind kinds[] = {
      .solvesForces = true,
      .oscillatorLimit = verletLimit<1>,
      .movement = moveByXpbd},
-    // The limits of one step of the relaxation, as of a time step without damping.
-    {.title = "quasi-static relaxation",
-     .order = 0,
-     .settles = true,
-     .oscillatorLimit = verletLimit<1>,
-     .movement = moveBySymplecticEuler},
+    // The limits of one evaluation's motion are those of a time step without damping.
     {.title = "quasi-static growth",
      .order = 0,
      .settles = true,
@@ -95,10 +90,6 @@ constexpr IntegratorKind kinds[] = {
 static_assert(std::size(kinds) == choices<Integrator>.size());
 
 }  // namespace
-
-double sharedTime(const PhysicsParameters& p) {
-  return p.integrator == Integrator::fire ? p.settle.together : p.quasiStatic.together;
-}
 
 const IntegratorKind& kindOf(Integrator integrator) { return kinds[static_cast<int>(integrator)]; }
 

@@ -32,7 +32,4 @@ struct IntegratorKind {
 
 const IntegratorKind& kindOf(Integrator integrator);
 
-/// Returns the max time [time] between events that share a settling, where the integrator settles.
-double sharedTime(const PhysicsParameters& parameters);
-
 }  // namespace morula

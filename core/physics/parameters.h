@@ -22,7 +22,6 @@ enum class Integrator {
   symplecticEuler,
   rungeKutta4,
   xpbd,
-  fire,
   quasiStatic
 };
 template <>
@@ -34,8 +33,6 @@ inline constexpr auto choices<Integrator> = std::to_array<Choice<Integrator>>({
     {Integrator::symplecticEuler, "symplectic-euler", "first order"},
     {Integrator::rungeKutta4, "rk4", "fourth order, with four evaluations of the forces per time step"},
     {Integrator::xpbd, "xpbd", "first order, and stable with any time step but for contacts"},
-    {Integrator::fire, "fire",
-     "quasi-static: after each event cells relax to rest, and time goes to the next one [Bitzek et al. 2006]"},
     {Integrator::quasiStatic, "quasi-static",
      "no motion through time: after each event cells settle, by a number of evaluations [Underwood 1983]"},
 });
@@ -141,15 +138,6 @@ struct QuasiStaticParameters {
 };
 MORULA_MEMBERS(QuasiStaticParameters, evaluations, drag, together, residual)
 
-/// Quasi-static growth (Integrator::fire): how far the world settles after each event (simulation/settle.h).
-struct SettleParameters {
-  double tolerance = 0.03;              // [1] max tractions left, over the mean pressure
-  std::uint64_t evaluations = 20'000;   // max evaluations of the forces in one settling
-  double together = 0;                  // [time] events no farther apart share a settling
-  std::optional<std::uint64_t> sample;  // every `sample`-th settling is measured for how far from rest it ends
-};
-MORULA_MEMBERS(SettleParameters, tolerance, evaluations, together, sample)
-
 struct PhysicsParameters {
   // [length] A daughter takes the coarsest of the scene's meshes whose mean edge at rest is no longer; absent:
   // every cell has the egg's mesh.
@@ -168,9 +156,8 @@ struct PhysicsParameters {
   std::optional<ShellParameters> shell;
   std::optional<MotilityParameters> motility;
   QuasiStaticParameters quasiStatic;  // with Integrator::quasiStatic
-  SettleParameters settle;            // with Integrator::fire
 };
 MORULA_MEMBERS(PhysicsParameters, coarsen, timeStep, autoShare, integrator, substeps, precision, cell, membrane,
-               pressure, shapeMatching, drag, growth, shell, motility, quasiStatic, settle)
+               pressure, shapeMatching, drag, growth, shell, motility, quasiStatic)
 
 }  // namespace morula

@@ -3,7 +3,6 @@
 
 #include "physics/bending_kernel.h"
 #include "physics/euler_kernel.h"
-#include "physics/fire_kernel.h"
 #include "physics/isolated_kernel.h"
 #include "physics/pressure_kernel.h"
 #include "physics/relax_kernel.h"
@@ -83,7 +82,6 @@ const PhysicsKernels physics = {
     .measureSpheres = measureSpheres<false>,
     .measureDraggedSpheres = measureSpheres<true>,
     .dampMotion = dampMotion,
-    .relaxVelocities = relaxVelocities,
 };
 
 }  // namespace morula::MORULA_ISA

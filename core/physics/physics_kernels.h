@@ -17,15 +17,6 @@ struct MotionDamping {
   double* stiffness;      // [1] σ of the motion before this evaluation
 };
 
-/// The state of a relaxation by Integrator::fire for a block's cells, [lane] (fire_kernel.h).
-struct Relaxation {
-  const double* maxMove;  // [length] max move of any vertex in one step
-  double* alpha;          // [1] α
-  double* descents;       // [1] evaluations since the cell last went uphill
-  double* strain;         // [1] how often of late the cell went uphill right after it had turned
-  double* squares;        // [acceleration²] A, of the last evaluation
-};
-
 struct PhysicsKernels {
   using Stage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&);
   using TimedStage = void (*)(const TemplateView&, const BlockView&, const KernelParameters&, double timeStep);
@@ -44,7 +35,6 @@ struct PhysicsKernels {
   Stage findShapeForces[2][2];  // [damped or dragged][volumes too]
   Stage measureSpheres, measureDraggedSpheres;
   void (*dampMotion)(const TemplateView&, const BlockView&, const MotionDamping&, double interval);
-  void (*relaxVelocities)(const TemplateView&, const BlockView&, const Relaxation&);
 };
 
 const PhysicsKernels& physicsKernels(Isa isa, Precision precision = Precision::binary64);

@@ -38,7 +38,7 @@ std::vector<double> ownFactors(const World& world) {
   std::vector<double> factors(world.bodies->restScale.size(), 1);
   for (std::size_t cell = 0; cell < world.cells.path.size(); ++cell)
     factors[world.bodies->slots[cell]] =
-        1 + sd * randomNormal({world.model.seed, world.cells.path[cell], 0, Purpose::adhesionVariation});
+        1 + sd * randomDeviate({world.model.seed, world.cells.path[cell], 0, Purpose::adhesionVariation});
   return factors;
 }
 

@@ -9,7 +9,6 @@
 #include "simulation/cycle_lengths.h"
 #include "simulation/damped_motion.h"
 #include "simulation/experiments.h"
-#include "simulation/fire.h"
 #include "simulation/move_physics.h"
 #include "simulation/rest.h"
 #include "simulation/run_end.h"
@@ -29,7 +28,7 @@ constexpr double lastDrag = 0.01, mostCycles = 1000;
 double nextCycle(const World& world) {
   const Clock& clock = world.clock;
   const PhysicsParameters& p = world.bodies->parameters;
-  double next = clock.nextCycle > clock.time ? clock.nextCycle + sharedTime(p) : INFINITY;
+  double next = clock.nextCycle > clock.time ? clock.nextCycle + p.quasiStatic.together : INFINITY;
   if (p.growth) {
     double fastest = 0;
     for (double growth : world.cells.growth) fastest = std::max(fastest, std::abs(growth));
@@ -109,12 +108,11 @@ void stepQuasiStatic(World& world) {
     const bool grows = std::ranges::any_of(world.cells.growth, [](double rate) { return rate != 0; });
     isEvent = grows || clock.nextCycle != due || (world.experiments && world.experiments->size() != done);
   }
-  if (world.bodies->parameters.integrator == Integrator::fire) return settleByFire(world);
   if (isEvent) settle(world);
 }
 
 void settleEnd(World& world) {
-  if (!settles(world) || world.bodies->parameters.integrator == Integrator::fire) return;
+  if (!settles(world)) return;
   if (world.bodies->count == 0 || world.settlings->empty() || !finished(world)) return;
   const Bodies& bodies = *world.bodies;
   const auto& residual = bodies.parameters.quasiStatic.residual;

@@ -38,7 +38,7 @@ std::vector<StartCell> placeStart(const Scene& scene, std::span<const CellPath> 
   const double sd = scene.variation.start * scene.mechanics->physics.cell.radius;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Draw draw{scene.seed, paths[i], 0, Purpose::startVariation};
-    const Vector by{randomNormal(draw, 0), randomNormal(draw, 1), randomNormal(draw, 2)};
+    const Vector by{randomDeviate(draw, 0), randomDeviate(draw, 1), randomDeviate(draw, 2)};
     cells[i] = movedWithin(cells[i], sd * by, *scene.mechanics);
   }
   return cells;

@@ -8,7 +8,7 @@
 namespace morula {
 
 /// Returns the scene's start cells, or with none and a variation.start the one egg, each displaced by variation.start
-/// egg radii times three normal deviates of its path. A displacement that would lead out of the shell ends where the
+/// egg radii times three deviates of its path. A displacement that would lead out of the shell ends where the
 /// cell touches it. Requires bodies. `paths`: of the cells, in their order.
 std::vector<StartCell> placeStart(const Scene& scene, std::span<const CellPath> paths);
 

@@ -102,6 +102,8 @@ void step(World& world) {
     clock.time = std::min(clock.nextCycle, std::max(before.clockTime, nextExperiment(world)));
   }
   runEvents(world, before.clockTime, dueUntil(world, before.clockTime));
+  // Connections that this step has made or released pull, or pull no more, from its end on.
+  if (world.connections && !world.connections->isCurrent) evaluateForces(world);
   followContacts(world);
   lookForStop(world, before);
 }

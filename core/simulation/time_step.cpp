@@ -179,11 +179,10 @@ void refuseAboveCycle(const World& world, double timeStep) {
 
 /// Throws as refuseAboveCycle does, for events that share a settling.
 void refuseTogether(const World& world) {
-  const PhysicsParameters& p = world.bodies->parameters;
-  const double together = sharedTime(p);
+  const double together = world.bodies->parameters.quasiStatic.together;
   const ShortestCycle cycle = shortestCycle(world.model);
   if (together < cycle.length) return;
-  refuse(world, 0, p.integrator == Integrator::fire ? "physics.settle.together" : "physics.quasi-static.together",
+  refuse(world, 0, "physics.quasi-static.together",
          " " + exactText(together) + " is not shorter than the shortest cell cycle, " + cycle.key +
              (world.model.variation.cycle > 0 ? " less variation.cycle: " : " ") + exactText(cycle.length),
          "give less, or 0: each round of events then settles by itself");

@@ -26,7 +26,7 @@ double experimentalPace(const World& world, const CellPath& path, StateId state)
 
 double paceOf(const World& world, const CellPath& path, StateId state) {
   const double sd = world.model.variation.cycle;
-  const double own = sd == 0 ? 1 : 1 + sd * randomNormal({world.model.seed, path, 0, Purpose::cycleVariation});
+  const double own = sd == 0 ? 1 : 1 + sd * randomDeviate({world.model.seed, path, 0, Purpose::cycleVariation});
   return world.experiments ? own * experimentalPace(world, path, state) : own;
 }
 

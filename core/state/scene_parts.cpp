@@ -114,7 +114,6 @@ Dna decisive(Dna dna) {
 PhysicsParameters decisive(PhysicsParameters physics) {
   if (!kindOf(physics.cell.model).hasRestShape) physics.shapeMatching = {};
   if (physics.integrator != Integrator::quasiStatic) physics.quasiStatic = {};
-  if (physics.integrator != Integrator::fire) physics.settle = {};
   return physics;
 }
 

@@ -76,11 +76,10 @@ struct SettlingRecord {
   double time = 0;  // [time] of the events before the settling
   std::uint64_t step = 0, cells = 0;
   std::uint64_t evaluations = 0;  // evaluations of the forces
-  double residual = 0;            // [1] r of settle.h, at the end of the settling
-  // The distance of the end from rest, measured in some settlings [SettleParameters::sample]: a trial settles further,
-  // until r is a hundredth of the tolerance or SettleParameters::evaluations more have been made
-  std::optional<double> energyLeft = {};        // [force·length] energy that the cells lose in the trial
-  std::optional<double> displacementLeft = {};  // [length] largest way of a vertex in the trial
+  double residual = 0;            // [1] r of rest.h, at the end of the settling
+  std::optional<double> energyLeft = {};  // [force·length] energy of the motion left
+  // [length] the farthest that a vertex goes on the way to QuasiStaticParameters::residual
+  std::optional<double> displacementLeft = {};
 };
 
 /// The directions in which cells crawl, kept so that a steady step draws no numbers.

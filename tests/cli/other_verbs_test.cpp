@@ -109,11 +109,11 @@ TEST_CASE("a scene that settles is told that it is sampled at its events only") 
                    every + "}\n");
     return jsonOf({"validate", folder / "scene.yaml"})["scenarios"][0]["warnings"];
   };
-  const auto warnings = warningsOf("fire", "0.25");
+  const auto warnings = warningsOf("quasi-static", "0.25");
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0].get<std::string>(),
              ContainsSubstring("scene.yaml:8:17: record.every: 0.25 is shorter than every cell cycle"));
-  CHECK(warningsOf("fire", "1").empty());
+  CHECK(warningsOf("quasi-static", "1").empty());
   CHECK(warningsOf("velocity-verlet", "0.25").empty());
 }
 

@@ -65,7 +65,7 @@ dna: |
   g2(divide|a0)
 stop: {time: 1.25}
 cycle: {length: 1}
-physics: {integrator: fire, mesh: {icosphere: 1}, contact: {}}
+physics: {integrator: quasi-static, mesh: {icosphere: 1}, contact: {}}
 record: {every: 0.5, pictures: 1}
 """
 STUDY = """morula-study: 1

@@ -30,7 +30,6 @@ TARGETS = [
     ("core/division/place_plane.cpp", 12, "division"),
     ("core/contacts/adhesion.cpp", 12, "contacts:[#adhesion_test]|contacts|simulation:[#adhesion_test]"),
     ("core/contacts/pair_energy.cpp", 12, "contacts:[#pair_law_test],[#contact_areas_test]|contacts"),
-    ("core/simulation/fire.cpp", 14, "simulation:[#fire_test]"),
     ("core/simulation/settle.cpp", 14, "simulation:[#settle_test]"),
     ("core/simulation/damped_motion.cpp", 14, "simulation:[#settle_test]"),
     ("core/contacts/pair_law_kernel.h", 16, "contacts:[#pair_law_test],[#viscosity_test]|simulation:[#two_cells_under_load_test]|contacts"),
@@ -41,7 +40,6 @@ TARGETS = [
     ("core/physics/ring_kernel.h", 10, "physics:[#volume_test],[#pressure_force_test]|physics"),
     ("core/physics/shell_kernel.h", 10, "physics:[#shell_test]|physics"),
     ("core/physics/relax_kernel.h", 12, "physics:[#relax_test]|simulation:[#settle_test]"),
-    ("core/physics/fire_kernel.h", 12, "physics:[#fire_kernel_test]|simulation:[#fire_test]"),
 ]
 
 SWAPS = {"+": "-", "*": "/", "<": "<=", ">": ">=", "==": "!=", "&&": "||", "&": "|", "+=": "-=", "*=": "/=", "min": "max",

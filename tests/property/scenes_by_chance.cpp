@@ -36,7 +36,7 @@ const std::vector<std::string> bases = {
         "1]}\n  contact: {}\ndivision: {plane: random}\n",
     // From rest to rest
     head + divides +
-        "stop: {time: 2.9}\nphysics:\n  integrator: fire\n  settle: {evaluations: 2000}\n  shell: {sphere: 1.2}\n"
+        "stop: {time: 2.9}\nphysics:\n  integrator: quasi-static\n  shell: {sphere: 1.2}\n"
         "  contact: {adhesion: 0.3}\n" +
         mesh,
     head + divides + "stop: {time: 2.9}\nphysics:\n  drag: 1\n  cell: {model: shape-matching}\n  contact: {}\n" + mesh,

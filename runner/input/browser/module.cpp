@@ -19,7 +19,6 @@ namespace {
 
 constexpr double memoryLimit = 1.5e9;      // [byte] limit of a run: browsers have less memory than programs
 constexpr std::size_t maxCells = 4096;     // max cells to which a lineage is followed beforehand
-constexpr double evaluationsToRest = 400;  // force evaluations after a division: 100 to 800 with up to 64 cells
 
 std::optional<Scenario> scenario;
 std::size_t entriesTold = 0;
@@ -31,13 +30,12 @@ Json costOf(const Scenario& of) {
   const bool hasBodies = lineage.mechanics.has_value();
   const double vertices = hasBodies ? double(lineage.mechanics->mesh.vertices.size()) : 0;
   const bool settles = hasBodies && kindOf(lineage.mechanics->physics.integrator).settles;
-  const bool isCounted = settles && lineage.mechanics->physics.integrator == Integrator::quasiStatic;
-  double timeStep = 0, vertexSteps = 0, settlingSteps = 0, before = 0, settledUntil = -1;
+  double timeStep = 0, vertexSteps = 0, before = 0;
   if (hasBodies) {
     Execution execution;
     execution.memoryLimit = memoryLimit;
     timeStep =
-        isCounted ? 1 / evaluationsPerTime(of.scene, int(vertices)) : makeWorld(of.scene, execution).clock.timeStep;
+        settles ? 1 / evaluationsPerTime(of.scene, int(vertices)) : makeWorld(of.scene, execution).clock.timeStep;
     lineage = genesAlone(std::move(lineage));
     lineage.senses.clear();
   }
@@ -47,11 +45,6 @@ Json costOf(const Scenario& of) {
     cells = world.cells.path.size();
     step(world);
     if (timeStep > 0) vertexSteps += (world.clock.time - before) / timeStep * double(cells) * vertices;
-    if (settles && !isCounted && world.cells.path.size() != cells && world.clock.time > settledUntil) {
-      settledUntil = world.clock.time + of.scene.mechanics->physics.settle.together;
-      settlingSteps += evaluationsToRest;
-      vertexSteps += evaluationsToRest * double(world.cells.path.size()) * vertices;
-    }
     before = world.clock.time;
   }
   cells = std::max(cells, world.cells.path.size());
@@ -59,7 +52,6 @@ Json costOf(const Scenario& of) {
           {"isMore", cells > maxCells},
           {"vertexSteps", vertexSteps},
           {"steps", timeStep > 0 ? before / timeStep
-                    : settles    ? settlingSteps
                                  : double(world.clock.step)},
           {"memory", predictMemory(of.scene, 2.0 * double(cells), vertices * double(cells))}};
 }

@@ -3,6 +3,7 @@
 #include "base/did_you_mean.h"
 #include "files/text.h"
 #include "scenario/loading.h"
+#include "values/former_words.h"
 
 namespace morula::scenario {
 namespace {
@@ -42,22 +43,6 @@ std::string remedy(const std::string& section, const std::string& key) {
   if (!other.empty() && (section.empty() || here.empty())) return "did you mean " + other + "?";
   const std::string known = here.empty() ? "this map takes no keys yet: write {}" : "known here: " + join(here);
   return other.empty() ? known : known + "; there is " + other + ", which is something else";
-}
-
-/// A key that scenarios had in earlier versions. It is refused, and its new name told.
-struct FormerKey {
-  std::string_view path, now;  // of the parameter or section, then and now
-  std::string_view reason;     // a sentence's second half: why it has another name now
-};
-constexpr FormerKey formerKeys[] = {
-    {"physics.contact.friction", "physics.contact.viscosity",
-     "at the slip speeds of cells it is a damper, and not Coulomb's friction"},
-};
-
-/// Returns null if no version had this key.
-const FormerKey* formerKey(const std::string& path) {
-  const auto found = std::ranges::find(formerKeys, path, &FormerKey::path);
-  return found == std::end(formerKeys) ? nullptr : found;
 }
 
 bool joins(const std::string& section, const std::string& key) {
@@ -131,10 +116,10 @@ class TableReader {
       }
       unknown = true;
       const std::string path = inside(section.path, member.key);
-      if (const FormerKey* former = formerKey(path))
+      if (const FormerWord* former = formerKey(path))
         reading_.problems.add(member.place, path,
                               "is called " + std::string(former->now) + " now: " + std::string(former->reason),
-                              "write the new key, with the value as it is");
+                              std::string(former->remedy));
       else reading_.problems.add(member.place, path, "unknown key", remedy(section.path, member.key));
     }
     auto alternatives = known;

@@ -19,10 +19,6 @@ bool isQuasiStatic(const Scenario& s) {
   return s.scene.mechanics && s.scene.mechanics->physics.integrator == Integrator::quasiStatic;
 }
 
-bool hasFire(const Scenario& s) {
-  return s.scene.mechanics && s.scene.mechanics->physics.integrator == Integrator::fire;
-}
-
 /// Makes the mechanics, also if the scenario's `physics` could not be read, which has been reported.
 void makeMechanics(Scenario& s) {
   if (!s.scene.mechanics) s.scene.mechanics.emplace();
@@ -81,10 +77,6 @@ std::vector<Section> sections() {
        .meaning = "With integrator quasi-static: the settling of cells after each event",
        .later = true,
        .exists = isQuasiStatic},
-      {.path = "physics.settle",
-       .meaning = "With integrator fire: relaxation to equilibrium after each event",
-       .later = true,
-       .exists = hasFire},
       {.path = "physics.contact",
        .meaning = "Contact of cells",
        .absent = "cells pass through one another",

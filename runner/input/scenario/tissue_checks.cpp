@@ -85,12 +85,12 @@ void checkMotility(const SceneCheck& check) {
 void checkSettling(const SceneCheck& check) {
   const MechanicsScene& m = check.mechanics();
   const std::string own = nameOf(m.physics.integrator);
-  for (const auto& [section, integrator] :
-       {std::pair("physics.quasi-static", Integrator::quasiStatic), std::pair("physics.settle", Integrator::fire)})
-    if (m.physics.integrator != integrator && given(check.root, section))
-      check.refuse(section, std::string("is for physics.integrator ") + nameOf(integrator) + ", and here it is " + own,
-                   std::string("remove this, or give integrator: ") + nameOf(integrator));
-  if (!kindOf(m.physics.integrator).settles) return;
+  if (!kindOf(m.physics.integrator).settles) {
+    if (given(check.root, "physics.quasi-static"))
+      check.refuse("physics.quasi-static", "is for physics.integrator quasi-static, and here it is " + own,
+                   "remove this, or give integrator: quasi-static");
+    return;
+  }
   const auto cannot = [&](const char* path, const std::string& why) {
     check.refuse(path, "integrator " + own + " " + why,
                  "remove this, or give another physics.integrator, such as velocity-verlet");

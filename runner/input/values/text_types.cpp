@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/did_you_mean.h"
+#include "values/former_words.h"
 #include "values/value_types.h"
 
 namespace morula::scenario {
@@ -71,6 +72,11 @@ Parameter oneOf(std::string path, std::vector<std::string> names, std::string me
     if (!value) return;
     const auto found = std::find(names.begin(), names.end(), *value);
     if (found != names.end()) return set(s, static_cast<int>(found - names.begin()));
+    if (const FormerWord* former = formerValue(path, *value))
+      return reading.problems.add(node.place, path,
+                                  describe(node) + " is " + std::string(former->now) +
+                                      " now: " + std::string(former->reason),
+                                  std::string(former->remedy));
     const auto near = closest(*value, names);
     reading.problems.add(node.place, path, describe(node) + " is not known here",
                          near.empty() ? "needs " + allowed : "did you mean " + near + "? Needs " + allowed);

@@ -6,7 +6,6 @@
 namespace morula {
 
 Table measureSettlings(Scenario scenario, const Execution& how) {
-  scenario.scene.mechanics.value().physics.settle.sample = 1;
   const Simulation run = simulate(scenario, how);
   requireEnough(run.end);
   if (run.end.status != RunStatus::done) throw InputError(scenario.file + ": " + run.end.failure);

@@ -82,7 +82,7 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
   // The trial run's last era is incomplete.
   const std::size_t first = trial.whole ? trial.eras.size() : trial.eras.size() - 1;
   int generation = -1;
-  double timeStep = world.clock.timeStep, from = world.clock.time, settledUntil = from;
+  double timeStep = world.clock.timeStep, from = world.clock.time;
   for (std::size_t i = first; i < all.size(); ++i) {
     const Era& era = life.eras[i];
     EraCounts& counts = all[i];
@@ -94,13 +94,8 @@ std::vector<EraCounts> extrapolate(const Life& life, const TrialRun& trial) {
     }
     const double cells = double(era.cells);
     double steps = std::ceil(std::max(era.to - from, 0.0) / timeStep);
-    if (world.bodies->parameters.integrator == Integrator::quasiStatic) {
+    if (world.settlings)
       steps = trial.whole ? 0 : std::max(era.to - from, 0.0) * evaluationsPerTime(world.model, int(vertices));
-    } else if (world.settlings) {  // an era has one settling, or shares that of earlier events
-      const bool settles = !trial.whole && era.from >= settledUntil;
-      steps = settles ? trial.lastEvaluations : 0;
-      if (settles) settledUntil = era.from + world.bodies->parameters.settle.together;
-    }
     counts.steps += steps;
     if (!world.contacts || cells < 2) continue;
     counts.pairs += steps * cells * vertices * contact.pairs * touchingShare(cells);

@@ -211,10 +211,8 @@ void addShares(Prediction& f) {
 std::optional<Scenario> settledInstead(const Scenario& scenario) {
   const auto& mechanics = scenario.scene.mechanics;
   if (!mechanics || kindOf(mechanics->physics.integrator).settles) return std::nullopt;
-  const double together = 0.25 * scenario.scene.cycle.length;  // [time] events this close share a settling
   return readScenario(scenario.resolved, scenario.file, "",
-                      {parseOverride("physics.integrator=fire"), parseOverride("physics.time_step=null"),
-                       parseOverride("physics.settle.together=" + exactText(together))},
+                      {parseOverride("physics.integrator=quasi-static"), parseOverride("physics.time_step=null")},
                       scenario.files);
 }
 

@@ -49,8 +49,8 @@ struct PredictionOptions {
 /// Predicts the costs. Throws InputError and NumericalError as the run would.
 Prediction predictCost(const Scenario& scenario, const PredictionOptions& options);
 
-/// Returns the scenario with physics.integrator fire, which moves from rest to rest, so that its cost can be predicted,
-/// too. Absent if it settles already or has no bodies. Throws InputError with the keys that exclude fire.
+/// Returns the scenario with physics.integrator quasi-static, which moves from rest to rest, so that its cost can be predicted,
+/// too. Absent if it settles already or has no bodies. Throws InputError with the keys that exclude it.
 std::optional<Scenario> settledInstead(const Scenario& scenario);
 
 /// Returns a duration as "350 ms", "12.5 s", "40 min".

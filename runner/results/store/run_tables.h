@@ -157,7 +157,7 @@ inline constexpr TableInfo tableInfo<SettlingRecord> = {
     .context = "run_id",
     .key = "run_id, step",
     .csv = "settlings",
-    .why = "with physics.integrator quasi-static or fire: how near to rest each settling came, and what it took"};
+    .why = "with physics.integrator quasi-static: how near to rest each settling came, and what it took"};
 
 template <>
 inline constexpr TableInfo tableInfo<ExperimentRecord> = {

@@ -14,25 +14,7 @@
 
 namespace morula {
 
-namespace {
-
-/// [unsettledText] for Integrator::fire.
-std::string unsettledByFire(const SettleParameters& asked, const std::vector<SettlingRecord>& settlings) {
-  const auto count =
-      std::ranges::count_if(settlings, [&](const SettlingRecord& s) { return !(s.residual <= asked.tolerance); });
-  if (count == 0) return "";
-  const SettlingRecord& farthest = *std::ranges::max_element(settlings, {}, &SettlingRecord::residual);
-  return fmt::format(
-      "physics.settle: {} of {} ended after {} evaluations above the tolerance of {:.3g}, the farthest at time {:.4g} "
-      "with {} at {:.3g}; give more physics.settle.evaluations, or a larger physics.settle.tolerance",
-      count, counted(settlings.size(), "settling"), asked.evaluations, asked.tolerance, farthest.time,
-      counted(farthest.cells, "cell"), farthest.residual);
-}
-
-}  // namespace
-
 std::string unsettledText(const PhysicsParameters& asked, const std::vector<SettlingRecord>& settlings) {
-  if (asked.integrator != Integrator::quasiStatic) return unsettledByFire(asked.settle, settlings);
   const auto& residual = asked.quasiStatic.residual;
   if (!residual || settlings.empty() || settlings.back().residual <= *residual) return "";
   return fmt::format(

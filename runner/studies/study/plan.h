@@ -52,11 +52,11 @@ struct RunCost {
 };
 
 /// The expected cost of a base's first condition in two ways: with its own integrator, which takes time steps, and with
-/// `physics.integrator: fire`, which goes from one state at rest to the next.
+/// `physics.integrator: quasi-static`, which goes from one state at rest to the next.
 struct SettledCost {
   std::size_t base = 0;             // index in Study::bases
-  double seconds = 0, settled = 0;  // [s] CPU time with its own integrator, and with fire
-  std::string refused;              // why fire is impossible; "" if it is possible
+  double seconds = 0, settled = 0;  // [s] CPU time with its own integrator, and with quasi-static
+  std::string refused;              // why quasi-static is impossible; "" if it is possible
 };
 
 struct Plan {

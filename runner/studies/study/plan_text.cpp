@@ -58,7 +58,7 @@ std::string costText(const Plan& plan) {
     text += fmt::format("    some runs may exceed limits.cpu-per-run, {}\n", timeText(*limit));
   for (const SettledCost& s : plan.settled)
     text += fmt::format(
-        "    with physics.integrator: fire and settle.together: a quarter of a cycle, a run of {} {}\n",
+        "    with physics.integrator: quasi-static, a run of {} {}\n",
         plan.study.bases[s.base].label,
         s.refused.empty() ? fmt::format("would take {} or more instead of {}", timeText(s.settled), timeText(s.seconds))
                           : "is not possible: " + s.refused);

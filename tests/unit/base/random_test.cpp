@@ -180,7 +180,7 @@ TEST_CASE("Normal deviates have the shares of the bell curve, and none beyond th
   double squares = 0;
   for (int i = 0; i < draws; ++i) {
     const double z = randomNormal(drawOfCell(i));
-    REQUIRE(std::abs(z) <= largestDeviate);
+    REQUIRE(std::abs(z) <= largestNormal);
     squares += z * z;
     for (int k = 0; k < 8; ++k) count[k] += z >= bounds[k] && z < bounds[k + 1];
   }

@@ -86,7 +86,7 @@ TEST_CASE("A cell's deviations are keyed by seed and path, whatever its rule and
     return *makeDivisionPolicy(two, seed, variation)->findCut(cellWith(path, substances)).share - about;
   };
   const double first = deviation(1, "AB", "a", 0.3);
-  CHECK(first == Approx(0.05 * randomNormal({1, CellPath::parse("AB"), 0, Purpose::shareVariation})).epsilon(1e-12));
+  CHECK(first == Approx(0.05 * randomDeviate({1, CellPath::parse("AB"), 0, Purpose::shareVariation})).epsilon(1e-12));
   CHECK(deviation(1, "AB", "b", 0.5) == Approx(first).epsilon(1e-12));
   CHECK(deviation(1, "AB", "none", 0.5) == Approx(first).epsilon(1e-12));
   CHECK(std::abs(deviation(2, "AB", "a", 0.3) - first) > 1e-6);

@@ -181,7 +181,7 @@ TEST_CASE("every other parameter changes the meaning, and the checkpoint's scene
                                                         "variation.adhesion"}
                                       .contains(p.path) ||
                                   p.path.starts_with("physics.shape-matching") ||
-                                  p.path.starts_with("physics.motility") || p.path.starts_with("physics.settle") ||
+                                  p.path.starts_with("physics.motility") ||
                                   p.path.starts_with("physics.quasi-static") ||
                                   p.path.starts_with("connections.spring");
     if (p.decides == scenario::Decides::results && !isTriedElsewhere) CHECK(tried.contains(p.path));
@@ -207,10 +207,6 @@ TEST_CASE("so do those of other cell models, other integrators and single precis
   differ("shell", "", "physics.precision", "double", "single");
   differ("shell", "", "physics.shell.sphere", "3", "4");
   differ("shell", "time_step: 0.5, integrator: xpbd,", "physics.substeps", "2", "3");
-  differ("shell", "integrator: fire,", "physics.settle.tolerance", "0.02", "0.01");
-  differ("shell", "integrator: fire,", "physics.settle.evaluations", "100", "200");
-  differ("shell", "integrator: fire,", "physics.settle.together", "0.1", "0.2");
-  differ("shell", "integrator: fire,", "physics.settle.sample", "1", "2");
   differ("shell", "integrator: quasi-static,", "physics.quasi-static.evaluations", "20", "40");
   differ("shell", "integrator: quasi-static,", "physics.quasi-static.drag", "2", "4");
   differ("shell", "integrator: quasi-static,", "physics.quasi-static.together", "0.1", "0.2");

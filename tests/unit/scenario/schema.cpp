@@ -69,7 +69,7 @@ TEST_CASE("ranges, names and defaults stand in the schema") {
   CHECK(physics["drag"]["default"] == 0);
   CHECK(physics["cell"]["properties"]["radius"]["exclusiveMinimum"] == 0);
   CHECK(physics["integrator"]["enum"] == Json{"velocity-verlet", "thesis-verlet", "explicit-euler", "symplectic-euler",
-                                              "rk4", "xpbd", "fire", "quasi-static"});
+                                              "rk4", "xpbd", "quasi-static"});
   CHECK(physics["integrator"]["default"] == "velocity-verlet");
   CHECK(physics["mesh"]["properties"]["icosphere"]["maximum"] == 4);
   CHECK(physics["mesh"]["oneOf"] == parseJson(R"([{"required": ["icosphere"]}, {"required": ["file"]}])"));

@@ -53,7 +53,7 @@ TEST_CASE("A run that has stopped goes on to a later stop with the bits of one r
                                       {"isolated cells", scenes::withBodies(scenes::everybodyDivides, 3)},
                                       {"genes alone", scenes::lineageOnly(scenes::everybodyDivides, 3)},
                                       {"at rest", scenes::settling(scenes::spheres())},
-                                      {"quasi-static", scenes::settling(scenes::packed(), Integrator::quasiStatic)}};
+                                      {"quasi-static", scenes::settling(scenes::packed())}};
   // The first time lies between two steps, so that the last step before it is shorter than the others.
   const StopParameters stops[] = {{.time = 2.2999}, {.cycles = 2}, {.cells = 3}, {.cells = 4}};
   for (auto& [name, whole] : scenes) {

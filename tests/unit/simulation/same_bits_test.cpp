@@ -29,7 +29,7 @@ std::vector<Scene> allScenes() {
     all.push_back(other);
   }
   for (const Scene& events : {sticky(), spheres(), coarsening(), inSingle(packed())})
-    for (const Integrator how : {Integrator::quasiStatic, Integrator::fire}) all.push_back(settling(events, how));
+    all.push_back(settling(events));
   return all;
 }
 

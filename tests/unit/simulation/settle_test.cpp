@@ -9,7 +9,7 @@ using namespace morula;
 
 namespace {
 
-Scene quasiStatic(const Scene& scene) { return scenes::settling(scene, Integrator::quasiStatic); }
+Scene quasiStatic(const Scene& scene) { return scenes::settling(scene); }
 
 Scene toRest(const Scene& scene, double residual) {
   Scene s = quasiStatic(scene);

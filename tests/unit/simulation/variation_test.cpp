@@ -11,7 +11,7 @@ using namespace morula;
 namespace {
 
 double deviate(const Scene& scene, const CellPath& path, Purpose purpose, std::uint32_t number = 0) {
-  return randomNormal({scene.seed, path, 0, purpose}, number);
+  return randomDeviate({scene.seed, path, 0, purpose}, number);
 }
 
 Scene varied(double cycle, std::uint64_t seed = 3) {

@@ -21,7 +21,7 @@ std::vector<Scene> savedScenes() {
   for (const Scene& scene : {ellipsoid(), coarsening()}) all.push_back(byPositions(scene, 2));
   for (const Scene& scene : {life(), coarsening()}) all.push_back(byShapes(scene));
   for (const Scene& events : {packed(), sticky(), spheres(), coarsening()})
-    for (const Integrator how : {Integrator::quasiStatic, Integrator::fire}) all.push_back(settling(events, how));
+    all.push_back(settling(events));
   return all;
 }
 

@@ -289,7 +289,7 @@ TEST_CASE("What a base would take from rest to rest is told, or the key that doe
   CHECK(plan.settled[0].settled > 0);
   CHECK(plan.settled[0].seconds == plan.costs[0].seconds);
   CHECK_THAT(describe(plan),
-             ContainsSubstring("with physics.integrator: fire") && ContainsSubstring(" or more instead of "));
+             ContainsSubstring("with physics.integrator: quasi-static") && ContainsSubstring(" or more instead of "));
   CHECK(planIn(folder).settled.empty());  // no prediction was requested
   const auto first = [&](const std::string& keys) {
     return planIn(folder,
@@ -299,9 +299,9 @@ TEST_CASE("What a base would take from rest to rest is told, or the key that doe
   };
   const Plan crawling = first("physics.motility: {speed: 0.1, persistence: 1}");
   REQUIRE(crawling.settled.size() == 1);
-  CHECK_THAT(crawling.settled[0].refused, ContainsSubstring("physics.motility: integrator fire"));
+  CHECK_THAT(crawling.settled[0].refused, ContainsSubstring("physics.motility: integrator quasi-static"));
   CHECK_THAT(describe(crawling), ContainsSubstring("is not possible: physics.motility"));
-  CHECK(first("physics.integrator: fire").settled.empty());  // the integrator settles already
+  CHECK(first("physics.integrator: quasi-static").settled.empty());  // the integrator settles already
 }
 
 TEST_CASE("Ten thousand runs are planned") {
