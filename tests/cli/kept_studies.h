@@ -27,7 +27,7 @@ inline std::string familyOf(const std::string& study) {
 /// Runs that the test makes again, by their number in the plan: of each study a few that take little time.
 inline const std::map<std::string, std::vector<std::size_t>> madeAgain{
     {"policies", {0, 249, 499}},  {"placement", {0, 139}},      {"settings", {0}},
-    {"models", {0, 80}},          {"settling", {0, 60, 119}},   {"heavier", {20, 59}},
+    {"models", {0, 80}},          {"settling", {0, 60, 99}},   {"heavier", {20, 59}},
     {"heavier-128", {8}},         {"elegans-128", {20}},        {"elegans-1024", {6}},
     {"worm-placement", {0, 863}}, {"ablations", {0, 129}}, {"cleavage-rules", {0, 100}}, {"clones", {0, 239, 479}},    {"settling-sticky", {0, 39}},
     {"settling-128", {6}},        {"beyond-chaos-42", {0, 30}}, {"beyond-chaos-162", {0, 15}},
