@@ -6,6 +6,7 @@
 
 #include "base/cell_path.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "drawing/axis.h"
 #include "drawing/palette.h"
 
@@ -49,14 +50,19 @@ void settleSize(TreePicture& picture, const TreeLayout& layout) {
     picture.width = int(std::clamp(160 + std::max(perLeaf, 11.0) * leaves, 900.0, 16384.0));
   if (picture.width == 0) picture.width = int(std::clamp(160 + perLeaf * leaves, 900.0, 2000.0));
   if (picture.height == 0) picture.height = int(std::clamp(420 + 70.0 * double(depth), 640.0, 1100.0));
+  if (picture.print.onPaper()) picture.height = std::min(picture.height, int(1.2 * picture.width));
   for (const int side : {picture.width, picture.height})
     if (side < 64 || side > 16384)
       throw InputError("a lineage tree of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
                        " pixels cannot be drawn; width and height must be 64 to 16384, or 0 for what suits");
 }
 
+double textSizeOf(const TreePicture& picture) {
+  return textSizeFor(picture.width, picture.height, picture.print);
+}
+
 double barHeight(const TreePicture& picture) {
-  const double size = textSizeFor(picture.width, picture.height);
+  const double size = textSizeOf(picture);
   return picture.colourBar ? colourBarHeight(size) + size : 0;
 }
 
@@ -68,8 +74,8 @@ double widestLabel(const TreeLayout& layout, double size) {
 }
 
 Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Annotations& words) {
-  const Bands bands = bandsFor(words, picture.width, picture.height);
-  const double size = textSizeFor(picture.width, picture.height);
+  const double size = textSizeOf(picture);
+  const Bands bands = bandsFor(words, picture.width, picture.height, size);
   Sheet sheet{};
   sheet.time = {.low = layout.begin, .high = layout.end};
   sheet.frame = {.left = roomForUprightAxis(sheet.time, size),
@@ -80,8 +86,17 @@ Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Anno
   sheet.pitch = (sheet.frame.right - sheet.x(0)) / std::max(1.0, double(layout.leaves));
   sheet.line = std::clamp(0.25 * sheet.pitch, 1.0, 0.2 * size);
   double below = 1.2 * size;
-  if (layout.leaves <= maxLabelledLeaves) sheet.label = size;
-  else if (picture.labelsAll) sheet.label = std::min(size, 0.85 * sheet.pitch);
+  if (picture.labelsAll) sheet.label = std::min(size, 0.85 * sheet.pitch);
+  else if (layout.leaves <= maxLabelledLeaves) sheet.label = size;
+  if (picture.print.onPaper() && sheet.label > 0) {
+    sheet.label = std::min(size, 0.95 * sheet.pitch);
+    const double least = smallText * size, millimetres = picture.width * picture.print.pixel * 25.4 / 72;
+    if (sheet.label < least && picture.labelsAll)
+      throw InputError("the labels of " + std::to_string(layout.leaves) + " cells do not fit into " +
+                       numberText(millimetres, 3) + " mm; needs at least " +
+                       numberText(std::ceil(millimetres * least / sheet.label), 4) + " mm, a smaller font, or no labels");
+    if (sheet.label < least) sheet.label = 0;
+  }
   if (sheet.label > 0) {
     const double widest = widestLabel(layout, sheet.label);
     sheet.upward = widest > sheet.pitch - 0.6 * size;
@@ -145,7 +160,7 @@ void drawMarks(Drawing& drawing, const Sheet& sheet, const TreeLayout& layout, c
 
 /// Draws a cell's label beside its line, and its letter A or B at the corner.
 void drawInnerLabels(Drawing& drawing, const Sheet& sheet, const TreePlace& place) {
-  const double x = sheet.x(place.x), size = 0.9 * sheet.frame.textSize, width = sheet.width(place);
+  const double x = sheet.x(place.x), size = smallText * sheet.frame.textSize, width = sheet.width(place);
   if (!place.isLeaf()) {
     const TextStyle style{.size = size, .colour = quietInk};
     const double middle = 0.5 * (sheet.y(place.node->born) + sheet.y(place.node->ended));
@@ -155,7 +170,7 @@ void drawInnerLabels(Drawing& drawing, const Sheet& sheet, const TreePlace& plac
   if (place.mother < 0) return;
   const bool b = place.node->path.back() == 'B';
   drawing.text({x, sheet.y(place.node->born) - width - 0.2 * size}, b ? "B" : "A",
-               {.size = 0.8 * size, .colour = quietInk, .anchor = b ? Anchor::right : Anchor::left});
+               {.size = size, .colour = quietInk, .anchor = b ? Anchor::right : Anchor::left});
 }
 
 }  // namespace
@@ -207,13 +222,13 @@ Drawing drawLineage(const TreePicture& asked) {
   if (std::any_of(picture.nodes.begin(), picture.nodes.end(), died))
     words.legend.push_back({ink, "died", Marker::cross});
   if (!picture.marks.empty()) words.legend.push_back({ink, "experiment", Marker::ring});
-  Drawing drawing(picture.width, picture.height);
-  annotate(drawing, words);
+  Drawing drawing(picture.width, picture.height, Drawing::Ground::paper, picture.print);
+  annotate(drawing, words, picture.print.textSize);
   if (layout.places.empty()) return drawing;
-  if (const double size = textSizeFor(picture.width, picture.height); picture.colourBar)
+  if (const double size = textSizeOf(picture); picture.colourBar)
     drawColourBar(
         drawing, *picture.colourBar,
-        {1.5 * size, picture.height - bandsFor(words, picture.width, picture.height).bottom - barHeight(picture)},
+        {1.5 * size, picture.height - bandsFor(words, picture.width, picture.height, size).bottom - barHeight(picture)},
         std::min(picture.width - 3 * size, 24 * size), size);
   const Sheet sheet = makeSheet(picture, layout, words);
   drawUprightAxis(drawing, sheet.frame, sheet.time, picture.timeLabel);
