@@ -13,7 +13,8 @@ namespace morula::test {
 struct PrintedWords {
   std::string text;  // of PDF: ""
   double points;     // size of the font
-  double left, top, right, bottom;  // [point] from the page's upper left corner, without descenders; of PDF the start alone
+  double left, top, right,
+      bottom;  // [point] from the page's upper left corner, without descenders; of PDF the start alone
 };
 
 struct PrintedPage {
@@ -24,7 +25,8 @@ struct PrintedPage {
 inline PrintedPage pageOfSvg(const std::string& svg) {
   PrintedPage page;
   std::smatch found;
-  if (!std::regex_search(svg, found, std::regex("<svg [^>]* width=\"([0-9.]+)mm\" height=\"([0-9.]+)mm\" viewBox=\"0 0 ([0-9.]+) ")))
+  if (!std::regex_search(
+          svg, found, std::regex("<svg [^>]* width=\"([0-9.]+)mm\" height=\"([0-9.]+)mm\" viewBox=\"0 0 ([0-9.]+) ")))
     return page;
   page.width = std::stod(found[1]) * 72 / 25.4, page.height = std::stod(found[2]) * 72 / 25.4;
   const double pixel = page.width / std::stod(found[3]);
@@ -33,13 +35,19 @@ inline PrintedPage pageOfSvg(const std::string& svg) {
     const std::string attributes = (*at)[1];
     const auto number = [&](const std::string& name) {
       std::smatch value;
-      return std::regex_search(attributes, value, std::regex("(?:^| )" + name + "=\"(-?[0-9.]+)\"")) ? std::stod(value[1]) : NAN;
+      return std::regex_search(attributes, value, std::regex("(?:^| )" + name + "=\"(-?[0-9.]+)\""))
+                 ? std::stod(value[1])
+                 : NAN;
     };
     const auto has = [&](const char* part) { return attributes.find(part) != std::string::npos; };
     const double size = number("font-size"), length = number("textLength");
-    const double back = has("=\"end\"") ? length : has("=\"middle\"") ? length / 2 : 0, x = number("x"), y = number("y");
+    const double back = has("=\"end\"")      ? length
+                        : has("=\"middle\"") ? length / 2
+                                             : 0,
+                 x = number("x"), y = number("y");
     PrintedWords words{(*at)[2], size * pixel, x - back, y - 0.75 * size, x - back + length, y};
-    if (has("rotate(-90")) words.left = x - 0.75 * size, words.right = x, words.top = y + back - length, words.bottom = y + back;
+    if (has("rotate(-90"))
+      words.left = x - 0.75 * size, words.right = x, words.top = y + back - length, words.bottom = y + back;
     for (double* place : {&words.left, &words.top, &words.right, &words.bottom}) *place *= pixel;
     page.words.push_back(words);
   }
@@ -69,8 +77,8 @@ struct Turn {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
   /// Returns this one after `first`.
   Turn after(const Turn& m) const {
-    return {m.a * a + m.b * c,     m.a * b + m.b * d,     m.c * a + m.d * c,
-            m.c * b + m.d * d,     m.e * a + m.f * c + e, m.e * b + m.f * d + f};
+    return {m.a * a + m.b * c, m.a * b + m.b * d,     m.c * a + m.d * c,
+            m.c * b + m.d * d, m.e * a + m.f * c + e, m.e * b + m.f * d + f};
   }
 };
 

@@ -84,7 +84,7 @@ class PointLabels {
     const Spot p = sheet_.place(point);
     const double wide = textWidth(label, style);
     const auto at = [&](int turn) {
-      const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;  // right, left, right, left
+      const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;                       // right, left, right, left
       const double y = p.y + (turn / 2 % 2 == 0 ? -1 : 1) * (0.35 + turn / 4) * textSize;  // above, above, below, below
       return Box{x, y - style.size, x + wide, y + 0.25 * style.size};
     };

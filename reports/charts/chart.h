@@ -30,7 +30,7 @@ struct Chart {
   Axis::Scale xScale = Axis::Scale::powersOfTwo, yScale = Axis::Scale::decades;
   std::vector<LegendEntry> legend = {};  // for lines that share colours
   bool dots = true;                      // markers at all points of lines; else at a few
-  AxisBounds yBounds = {};                   // on a linear axis
+  AxisBounds yBounds = {};               // on a linear axis
   int width = 1100, height = 760;        // [pixel] height 0: what suits
   Print print = {};
 };

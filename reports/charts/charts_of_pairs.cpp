@@ -151,7 +151,8 @@ Drawing drawRoses(const RosePicture& asked) {
   annotate(drawing, words, picture.print.textSize);
   if (picture.roses.empty()) return drawing;
   const double top = bandsFor(words, picture.width, picture.height, picture.print.textSize).top;
-  const double high = (picture.height - top) / rows, radius = std::max(8.0, 0.5 * (std::min(high, each + 0.8 * size) - 5.2 * size));
+  const double high = (picture.height - top) / rows,
+               radius = std::max(8.0, 0.5 * (std::min(high, each + 0.8 * size) - 5.2 * size));
   int most = 0;
   std::vector<std::vector<int>> counts;
   for (const Rose& rose : picture.roses) {
@@ -159,8 +160,10 @@ Drawing drawRoses(const RosePicture& asked) {
     most = std::max(most, *std::max_element(counts.back().begin(), counts.back().end()));
   }
   for (std::size_t i = 0; i < picture.roses.size(); ++i)
-    drawRose(drawing, picture.roses[i], {{each * (double(i % columns) + 0.5), top + high * double(i / columns) + 0.5 * (high - 1.6 * size)}, radius},
-             counts[i], most, size);
+    drawRose(
+        drawing, picture.roses[i],
+        {{each * (double(i % columns) + 0.5), top + high * double(i / columns) + 0.5 * (high - 1.6 * size)}, radius},
+        counts[i], most, size);
   return drawing;
 }
 

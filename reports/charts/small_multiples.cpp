@@ -46,8 +46,8 @@ bool startsGroup(const Panel& panel, std::size_t strip) {
   return strip == 0 || panel.strips[strip].label != panel.strips[strip - 1].label;
 }
 
-const TextStyle titleStyle{.size = size, .colour = ink, .bold = true}, labelStyle{.size = size, .colour = ink, .halo = 2},
-    meaningStyle{.size = smallText * size, .colour = quietInk};
+const TextStyle titleStyle{.size = size, .colour = ink, .bold = true},
+    labelStyle{.size = size, .colour = ink, .halo = 2}, meaningStyle{.size = smallText * size, .colour = quietInk};
 constexpr double lineHeight = 1.3 * size;  // [pixel]
 
 /// Returns the height [pixel] of the lines that a text has in a panel of this width; 0 without text.
@@ -184,7 +184,7 @@ std::vector<int> rowHeights(const std::vector<Panel>& panels, std::size_t column
 }  // namespace
 
 Drawing drawSmallMultiples(const SmallMultiples& chart) {
-  constexpr double page = 1.42;  // max height over width
+  constexpr double page = 1.42;         // max height over width
   constexpr double narrow = 25 * size;  // [pixel] of a panel
   const std::size_t most = std::min<std::size_t>(4, std::max<std::size_t>(1, chart.panels.size()));
   std::size_t columns = chart.width ? std::clamp<std::size_t>(chart.width / static_cast<int>(narrow), 1, most) : 1;
@@ -203,9 +203,9 @@ Drawing drawSmallMultiples(const SmallMultiples& chart) {
   annotate(drawing, chart.words, size);
   double top = bands.top;
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
-    drawPanel(drawing, chart.panels[i],
-              {static_cast<double>(i % columns) * panelWidth, top, panelWidth,
-               static_cast<double>(heights[i / columns])});
+    drawPanel(
+        drawing, chart.panels[i],
+        {static_cast<double>(i % columns) * panelWidth, top, panelWidth, static_cast<double>(heights[i / columns])});
     if (i % columns + 1 == columns) top += heights[i / columns];
   }
   return drawing;

@@ -38,7 +38,7 @@ struct Panel {
   /// If true, a strip of more than `maxPoints` values shows their median, quartiles and range in place of points.
   bool counts = false;
   std::string meaning = {};  // of the measure, below the axis
-  AxisBounds bounds = {};        // of the measure
+  AxisBounds bounds = {};    // of the measure
 };
 
 inline constexpr std::size_t maxPoints = 6;

@@ -82,7 +82,9 @@ std::vector<std::string> rowLines(const std::vector<std::string>& row, double ro
 /// Lays out the grid with tiles of this side; 0: as wide as the grid's width leaves.
 Sheet layOut(const OrganismGrid& grid, int side) {
   const int maxWidth = grid.width ? grid.width : 1250;
-  const double page = grid.height ? double(grid.height) / grid.width : grid.width ? 1.6 : 1.42;  // max height over width
+  const double page = grid.height  ? double(grid.height) / grid.width
+                      : grid.width ? 1.6
+                                   : 1.42;  // max height over width
   const int columns = static_cast<int>(grid.columns.size()), rows = static_cast<int>(grid.rows.size());
   double wordsWidth = 0;
   for (const auto& lines : grid.rows)
@@ -146,7 +148,8 @@ Drawing drawPage(const OrganismGrid& grid, std::size_t begin, std::size_t end, c
   Instruments bar;
   bar.scaleBar = framing.has_value(), bar.colourBar = grid.colourBar;
   bar.lengthUnit = grid.lengthUnit, bar.perLength = grid.perLength;
-  const int width = blocks * sheet.block, body = sheet.heading + rows * sheet.pitch + instrumentsHeight(bar, width, textSize);
+  const int width = blocks * sheet.block,
+            body = sheet.heading + rows * sheet.pitch + instrumentsHeight(bar, width, textSize);
   const Bands bands = bandsAround(body, words, width, textSize);
   Drawing drawing(width, body + bands.top + bands.bottom, Drawing::Ground::paper, grid.print);
   annotate(drawing, words, textSize);
@@ -154,9 +157,10 @@ Drawing drawPage(const OrganismGrid& grid, std::size_t begin, std::size_t end, c
     TextStyle centred = bold;
     centred.anchor = Anchor::centre;
     for (std::size_t c = 0; c < grid.columns.size(); ++c)
-      drawWords(drawing,
-                {b * sheet.block + sheet.first + (static_cast<double>(c) + 0.5) * sheet.side, bands.top + 1.3 * textSize},
-                grid.columns[c], centred, sheet.side - 4);
+      drawWords(
+          drawing,
+          {b * sheet.block + sheet.first + (static_cast<double>(c) + 0.5) * sheet.side, bands.top + 1.3 * textSize},
+          grid.columns[c], centred, sheet.side - 4);
     for (int r = 0; r < rows; ++r)
       if (const std::size_t row = begin + static_cast<std::size_t>(b * rows + r); row < end)
         drawRow(drawing, grid, row, sheet, b * sheet.block, bands.top + sheet.heading + r * sheet.pitch);

@@ -56,7 +56,8 @@ constexpr double mostOfHeight = 0.25;  // [1] max height of a band
 
 /// Returns the lines of title and caption: one each where more would need too much of the picture's height.
 std::vector<Line> headOf(const Annotations& words, double size, double width, double height, bool breaks = true) {
-  const TextStyle title{.size = titleText * size, .colour = ink, .bold = true}, caption{.size = size, .colour = quietInk};
+  const TextStyle title{.size = titleText * size, .colour = ink, .bold = true},
+      caption{.size = size, .colour = quietInk};
   std::vector<Line> lines;
   double y = 0.5 * size;
   const auto add = [&](const std::string& text, const TextStyle& style) {

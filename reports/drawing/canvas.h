@@ -7,7 +7,7 @@ namespace morula {
 class Canvas {
  public:
   virtual ~Canvas() = default;
-  // As the members of Drawing with these names; lines and areas have points.
+  // Each member is as that of Drawing with its name; lines and areas have at least one point.
   virtual void line(const std::vector<Spot>& points, const Stroke& stroke) = 0;
   virtual void disc(Spot centre, double radius, Colour colour) = 0;
   virtual void area(const std::vector<Spot>& points, Colour colour) = 0;

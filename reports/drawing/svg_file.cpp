@@ -85,9 +85,8 @@ void SvgFile::area(const std::vector<Spot>& points, Colour colour) {
 }
 
 void SvgFile::box(Spot topLeft, double width, double height, Colour colour) {
-  bytes_ += "<rect" + attribute("x", topLeft.x) + attribute("y", topLeft.y) +
-            attribute("width", std::max(0.0, width)) + attribute("height", std::max(0.0, height)) + fill(colour) +
-            "/>\n";
+  bytes_ += "<rect" + attribute("x", topLeft.x) + attribute("y", topLeft.y) + attribute("width", std::max(0.0, width)) +
+            attribute("height", std::max(0.0, height)) + fill(colour) + "/>\n";
 }
 
 void SvgFile::text(Spot baseline, const std::string& text, const TextStyle& style) {

@@ -187,8 +187,7 @@ Drawing organismDrawing(const OrganismPicture& picture, const std::vector<Style>
     const auto placed = placeLabels(ground, labelsOf(picture, axes, framing, aperture, ground), size);
     drawLabels(drawing, placed, left, top, size);
     const std::size_t hidden = picture.labels.size() - placed.size();
-    if (i == 0 && hidden > 0 && !words.caption.empty())
-      words.caption += hiddenWords(hidden);
+    if (i == 0 && hidden > 0 && !words.caption.empty()) words.caption += hiddenWords(hidden);
   }
   const double pixelsPerLength = 0.5 * picture.width / (aperture.x * framing.distance);
   drawInstruments(drawing, picture.instruments, {axes.x, axes.y, axes.z, pixelsPerLength}, top + height,

@@ -70,7 +70,7 @@ struct OrganismPicture {
   std::vector<LegendEntry> legend;
   int width = 900, height = 900;  // [pixel] 16 to 8192; width · height · samples² at most 50 million
   Print print = {};
-  int samples = 2;                // per pixel side, 1 to 4; higher: smoother edges, slower, more memory
+  int samples = 2;  // per pixel side, 1 to 4; higher: smoother edges, slower, more memory
 };
 
 enum class Style {

@@ -31,6 +31,8 @@ struct Sheet {
   double line;   // [pixel] width of a cell's line
   bool upward;   // leaf labels are vertical because they are too wide
   double label;  // [pixel] text size of leaf labels; 0: there are none
+  double room;   // [pixel] height for upright labels
+  bool cuts;     // labels of inner cells that do not fit are cut, not left out
 
   double x(double leafUnits) const { return frame.left + 0.5 * frame.textSize + pitch * leafUnits; }
   double y(double when) const { return time.place(when); }
@@ -57,9 +59,7 @@ void settleSize(TreePicture& picture, const TreeLayout& layout) {
                        " pixels cannot be drawn; width and height must be 64 to 16384, or 0 for what suits");
 }
 
-double textSizeOf(const TreePicture& picture) {
-  return textSizeFor(picture.width, picture.height, picture.print);
-}
+double textSizeOf(const TreePicture& picture) { return textSizeFor(picture.width, picture.height, picture.print); }
 
 double barHeight(const TreePicture& picture) {
   const double size = textSizeOf(picture);
@@ -85,6 +85,8 @@ Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Anno
                  .textSize = size};
   sheet.pitch = (sheet.frame.right - sheet.x(0)) / std::max(1.0, double(layout.leaves));
   sheet.line = std::clamp(0.25 * sheet.pitch, 1.0, 0.2 * size);
+  sheet.cuts = !picture.print.onPaper();
+  sheet.room = (sheet.cuts ? 0.25 : 0.4) * picture.height - size;
   double below = 1.2 * size;
   if (picture.labelsAll) sheet.label = std::min(size, 0.85 * sheet.pitch);
   else if (layout.leaves <= maxLabelledLeaves) sheet.label = size;
@@ -94,13 +96,14 @@ Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Anno
     if (sheet.label < least && picture.labelsAll)
       throw InputError("the labels of " + std::to_string(layout.leaves) + " cells do not fit into " +
                        numberText(millimetres, 3) + " mm; needs at least " +
-                       numberText(std::ceil(millimetres * least / sheet.label), 4) + " mm, a smaller font, or no labels");
+                       numberText(std::ceil(millimetres * least / sheet.label), 4) +
+                       " mm, a smaller font, or no labels");
     if (sheet.label < least) sheet.label = 0;
   }
   if (sheet.label > 0) {
     const double widest = widestLabel(layout, sheet.label);
     sheet.upward = widest > sheet.pitch - 0.6 * size;
-    below += sheet.upward ? std::min(widest + size, 0.25 * picture.height) : 1.2 * size;
+    below += sheet.upward ? std::min(widest + size, sheet.room + size) : 1.2 * size;
   }
   sheet.frame.bottom = std::max(sheet.frame.top + 8, picture.height - bands.bottom - barHeight(picture) - below);
   sheet.time.from = sheet.frame.top, sheet.time.to = sheet.frame.bottom;
@@ -136,8 +139,7 @@ void drawLeafLabel(Drawing& drawing, const Sheet& sheet, const TreePlace& place)
     return;
   }
   const TextStyle style{.size = size, .colour = ink, .anchor = Anchor::right, .upward = true};
-  drawing.text({below.x + 0.36 * size, below.y},
-               shortened(place.node->label, style, 0.25 * drawing.height() - sheet.frame.textSize), style);
+  drawing.text({below.x + 0.36 * size, below.y}, shortened(place.node->label, style, sheet.room), style);
 }
 
 /// Draws the times of deeds that are done to all cells.
@@ -164,8 +166,9 @@ void drawInnerLabels(Drawing& drawing, const Sheet& sheet, const TreePlace& plac
   if (!place.isLeaf()) {
     const TextStyle style{.size = size, .colour = quietInk};
     const double middle = 0.5 * (sheet.y(place.node->born) + sheet.y(place.node->ended));
-    drawing.text({x + width + 0.3 * size, middle + 0.36 * size},
-                 shortened(place.node->label, style, 0.9 * sheet.pitch - width), style);
+    const std::string label = shortened(place.node->label, style, 0.9 * sheet.pitch - width);
+    if (sheet.cuts || label == place.node->label)
+      drawing.text({x + width + 0.3 * size, middle + 0.36 * size}, label, style);
   }
   if (place.mother < 0) return;
   const bool b = place.node->path.back() == 'B';

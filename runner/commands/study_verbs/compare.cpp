@@ -138,8 +138,9 @@ void addCompare(CLI::App& app, Action& action) {
       "--colour", command.moments.colouring, "WHAT", parseColouring,
       "Colour of cells in --pictures, as render takes it: substance, clone, clone:N, generation, or a measure of cells; "
       "default: substance");
-  verb.takes("--view", command.view, "VIEW", parseView,
-             "Direction of view in --pictures, as render takes it: front, iso, or azimuth and elevation in degrees: 30,20");
+  verb.takes(
+      "--view", command.view, "VIEW", parseView,
+      "Direction of view in --pictures, as render takes it: front, iso, or azimuth and elevation in degrees: 30,20");
   verb.takes("--labels", command.moments.labels, "WHAT", parseChoice<Labels>,
              "Labels of the cells in --pictures: name or path");
   addFigure(verb, command.figure, 200, 8192, true);
