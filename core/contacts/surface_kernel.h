@@ -145,17 +145,17 @@ MORULA_INLINE void storeOnSurface(const BlockSlices& block, const SurfaceDepths&
   }
 }
 
-template <int fixedSteps>
+/// Returns the force on a vertex from its ring. gcc would unroll a loop of known length, keep the addresses of all its
+/// steps, and spill them. Neighbours' positions are loaded twice, since registers are too few to keep them.
 MORULA_INLINE Vec ringForce(const Real* position, const Real* forces, const Real* turns, const RingStep* ring,
                             const double* share, int steps) {
-  if constexpr (fixedSteps > 0) steps = fixedSteps;
   Vec sum{Lanes(0.0), Lanes(0.0), Lanes(0.0)}, fromRing = sum;
-  Vec before = loadVec(position + ring[steps - 1].vertexOffset), here = loadVec(position + ring[0].vertexOffset);
+  std::int64_t before = ring[steps - 1].vertexOffset, here = ring[0].vertexOffset;
+#pragma GCC unroll 1
   for (int k = 0; k < steps; ++k) {
-    const int offset = ring[k].vertexOffset;
-    const Vec next = loadVec(position + ring[k + 1 < steps ? k + 1 : 0].vertexOffset);
-    fromRing += Lanes(share[k]) * loadVec(forces + offset);
-    sum += cross(before - next, loadVec(turns + offset));
+    const std::int64_t next = ring[k + 1 < steps ? k + 1 : 0].vertexOffset;
+    fromRing += Lanes(share[k]) * loadVec(forces + here);
+    sum += cross(loadVec(position + before) - loadVec(position + next), loadVec(turns + here));
     before = here;
     here = next;
   }
@@ -170,10 +170,8 @@ MORULA_INLINE void moveToVertices(const BlockSlices& block, Real* force) {
   for (int v = 0; v < mesh.vertexCount; ++v) {
     const int first = mesh.ringStart[v], steps = mesh.ringStart[v + 1] - first;
     for (int lane = 0; lane < block.liveLanes; lane += width) {
-      const Vec around = steps == 6 ? ringForce<6>(position + lane, forces + lane, turns + lane, mesh.ring + first,
-                                                   mesh.ringShare + first, 6)
-                                    : ringForce<0>(position + lane, forces + lane, turns + lane, mesh.ring + first,
-                                                   mesh.ringShare + first, steps);
+      const Vec around = ringForce(position + lane, forces + lane, turns + lane, mesh.ring + first,
+                                   mesh.ringShare + first, steps);
       storeVec(force, v, lane, loadVec(force, v, lane) + ((1.0 - retreat) * loadVec(forces, v, lane) + around));
     }
   }

@@ -28,8 +28,8 @@ double widestLabel(const Chart& chart, double size) {
 }
 
 Sheet makeSheet(const Chart& chart, const Annotations& words) {
-  const Bands bands = bandsFor(words, chart.width, chart.height);
-  const double size = textSizeFor(chart.width, chart.height);
+  const double size = textSizeFor(chart.width, chart.height, chart.print);
+  const Bands bands = bandsFor(words, chart.width, chart.height, size);
   Range x, y;
   for (const Spot& p : allPoints(chart)) x.see(p.x), y.see(p.y);
   if (chart.xScale == Axis::Scale::decades) x.low *= 0.8, x.high *= 1.25;
@@ -40,7 +40,7 @@ Sheet makeSheet(const Chart& chart, const Annotations& words) {
   }
   if (upIsLinear) {  // room above and below the values; a horizontal line gets room too
     const double room = y.low < y.high ? 0.04 * (y.high - y.low) : std::max(1e-300, 0.1 * std::abs(y.low));
-    y.low -= room, y.high += room;
+    y = chart.yBounds.around(y, room);
   } else y.low *= 0.8, y.high *= 1.25;
   Sheet sheet{.frame = {.left = 0,
                         .top = bands.top + size,
@@ -80,11 +80,11 @@ class PointLabels {
   void add(const Spot& point, const std::string& label, Colour colour) {
     if (label.empty()) return;
     const double textSize = sheet_.frame.textSize, gap = 0.5 * textSize;
-    const TextStyle style{.size = 0.75 * textSize, .colour = colour};
+    const TextStyle style{.size = smallText * textSize, .colour = colour};
     const Spot p = sheet_.place(point);
     const double wide = textWidth(label, style);
     const auto at = [&](int turn) {
-      const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;  // right, left, right, left
+      const double x = turn % 2 == 0 ? p.x + gap : p.x - gap - wide;                       // right, left, right, left
       const double y = p.y + (turn / 2 % 2 == 0 ? -1 : 1) * (0.35 + turn / 4) * textSize;  // above, above, below, below
       return Box{x, y - style.size, x + wide, y + 0.25 * style.size};
     };
@@ -175,13 +175,18 @@ void drawLabels(Drawing& drawing, const Sheet& sheet, const Chart& chart, const 
 
 }  // namespace
 
-Drawing drawChart(const Chart& chart) {
+Drawing drawChart(const Chart& asked) {
+  Chart chart = asked;
   const Shapes shapes(chart);
   Annotations words{chart.title, chart.caption, chart.legend};
   if (shapes.tellApart())
     for (LegendEntry& entry : words.legend) entry.marker = shapes.of(entry.colour);
-  Drawing drawing(chart.width, chart.height);
-  annotate(drawing, words);
+  if (chart.height == 0) {
+    const Bands bands = bandsAround(int(0.75 * chart.width), words, chart.width, chart.print.textSize);
+    chart.height = int(0.75 * chart.width) + bands.top + bands.bottom;
+  }
+  Drawing drawing(chart.width, chart.height, Drawing::Ground::paper, chart.print);
+  annotate(drawing, words, chart.print.textSize);
   if (allPoints(chart).empty()) return drawing;
   const Sheet sheet = makeSheet(chart, words);
   drawLevelAxis(drawing, sheet.frame, sheet.x, chart.xLabel);

@@ -30,7 +30,9 @@ struct Chart {
   Axis::Scale xScale = Axis::Scale::powersOfTwo, yScale = Axis::Scale::decades;
   std::vector<LegendEntry> legend = {};  // for lines that share colours
   bool dots = true;                      // markers at all points of lines; else at a few
-  int width = 1100, height = 760;        // [pixel]
+  AxisBounds yBounds = {};               // on a linear axis
+  int width = 1100, height = 760;        // [pixel] height 0: what suits
+  Print print = {};
 };
 
 /// Draws the label of each line at its right end. For print in grey each colour has a marker of its own, at the points

@@ -52,11 +52,11 @@ void drawRose(Drawing& drawing, const Rose& rose, const Circle& circle, const st
   const Spot ring = circle.at(45, 1);
   if (most > 0)
     drawing.text({ring.x + 0.3 * size, ring.y - 0.2 * size}, std::to_string(most),
-                 {.size = 0.9 * size, .colour = quietInk});
+                 {.size = smallText * size, .colour = quietInk});
   TextStyle title = plain;
   title.colour = ink;
   drawing.text({circle.middle.x, circle.middle.y + circle.radius + 2.2 * size},
-               shortened(rose.title + ": " + std::to_string(rose.degrees.size()), title, 2.6 * circle.radius), title);
+               rose.title + ": " + std::to_string(rose.degrees.size()), title);
 }
 
 }  // namespace
@@ -68,13 +68,12 @@ Drawing drawMatrix(const MatrixPicture& asked) {
     throw InputError("a matrix of " + std::to_string(n) + " names needs " + std::to_string(n * n) + " values, not " +
                      std::to_string(picture.values.size()));
   if (picture.width == 0) picture.width = int(std::clamp(260.0 + 14.0 * double(n), 800.0, 2400.0));
-  if (picture.height == 0) picture.height = picture.width + 120;
-  Drawing drawing(picture.width, picture.height);
+  if (picture.height == 0) picture.height = picture.width + int(std::max(120.0, 12 * picture.print.textSize));
+  Drawing drawing(picture.width, picture.height, Drawing::Ground::paper, picture.print);
   const Annotations words{picture.title, picture.caption, {}};
-  annotate(drawing, words);
-  if (n == 0) return drawing;
-  const double size = textSizeFor(picture.width, picture.height);
-  const double bar = colourBarHeight(size) + 2 * size, top = bandsFor(words, picture.width, picture.height).top;
+  const Annotations unnamed{picture.title, picture.caption + "; the names need a larger picture", {}};
+  const double size = textSizeFor(picture.width, picture.height, picture.print);
+  const double bar = colourBarHeight(size) + 2 * size, top = bandsFor(unnamed, picture.width, picture.height, size).top;
   const double most = std::min(picture.width - 3 * size, picture.height - top - bar - size);
   // Letters are at most 0.8 of a row high. Names take part of the square, which lowers the rows: hence two turns.
   double text = std::min(size, 0.8 * most / double(n)), room = 0;
@@ -84,7 +83,9 @@ Drawing drawMatrix(const MatrixPicture& asked) {
     room = std::min(room, 0.3 * most);
     text = std::min(size, 0.8 * (most - room) / double(n));
   }
-  const bool named = text >= minText;
+  const bool named = text >= (picture.print.onPaper() ? smallText * size : minText);
+  annotate(drawing, named ? words : unnamed, size);
+  if (n == 0) return drawing;
   const double edge = named ? room + 0.6 * text : 0, side = (most - edge) / double(n);
   const Spot corner{0.5 * (picture.width - most) + edge, top + edge};
   Range range;
@@ -130,20 +131,28 @@ std::vector<int> countSectors(const std::vector<double>& degrees, int sectors) {
   return counts;
 }
 
-Drawing drawRoses(const RosePicture& picture) {
+Drawing drawRoses(const RosePicture& asked) {
+  RosePicture picture = asked;
   if (picture.sectors < 4 || picture.sectors > 360)
     throw InputError("a rose cannot have " + std::to_string(picture.sectors) + " sectors; it must have 4 to 360");
   for (const Rose& rose : picture.roses)
     for (const double direction : rose.degrees)
       if (!std::isfinite(direction)) throw InputError("a direction of a rose is not finite");
-  Drawing drawing(picture.width, picture.height);
   const Annotations words{picture.title, picture.caption, {}};
-  annotate(drawing, words);
+  const double size = std::max(11.0, textSizeFor(picture.width, std::max(picture.height, 1), picture.print));
+  const int count = std::max(1, int(picture.roses.size()));
+  const int columns = std::clamp(int(picture.width / (14 * size)), 1, count), rows = (count + columns - 1) / columns;
+  const double each = double(picture.width) / columns;
+  if (picture.height == 0) {
+    const Bands bands = bandsAround(int(rows * each), words, picture.width, size);
+    picture.height = int(rows * each) + bands.top + bands.bottom;
+  }
+  Drawing drawing(picture.width, picture.height, Drawing::Ground::paper, picture.print);
+  annotate(drawing, words, picture.print.textSize);
   if (picture.roses.empty()) return drawing;
-  const double size = std::max(11.0, textSizeFor(picture.width, picture.height));
-  const double top = bandsFor(words, picture.width, picture.height).top + 1.8 * size;
-  const double bottom = picture.height - 3.4 * size, each = double(picture.width) / double(picture.roses.size());
-  const double radius = std::max(8.0, std::min(0.5 * (bottom - top), 0.5 * each - 3.2 * size));
+  const double top = bandsFor(words, picture.width, picture.height, picture.print.textSize).top;
+  const double high = (picture.height - top) / rows,
+               radius = std::max(8.0, 0.5 * (std::min(high, each + 0.8 * size) - 5.2 * size));
   int most = 0;
   std::vector<std::vector<int>> counts;
   for (const Rose& rose : picture.roses) {
@@ -151,8 +160,10 @@ Drawing drawRoses(const RosePicture& picture) {
     most = std::max(most, *std::max_element(counts.back().begin(), counts.back().end()));
   }
   for (std::size_t i = 0; i < picture.roses.size(); ++i)
-    drawRose(drawing, picture.roses[i], {{each * (double(i) + 0.5), 0.5 * (top + bottom)}, radius}, counts[i], most,
-             size);
+    drawRose(
+        drawing, picture.roses[i],
+        {{each * (double(i % columns) + 0.5), top + high * double(i / columns) + 0.5 * (high - 1.6 * size)}, radius},
+        counts[i], most, size);
   return drawing;
 }
 

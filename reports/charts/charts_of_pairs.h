@@ -14,10 +14,11 @@ struct MatrixPicture {
   std::vector<std::optional<double>> values;  // [row · names + column]; absent values show paper
   std::string quantity;                       // with its unit
   int width = 0, height = 0;                  // [pixel] 0: chosen by the number of names
+  Print print = {};
 };
 
 /// Draws the table above a colour bar from its least to its greatest value. Names are written if there is room for
-/// letters. Throws InputError unless there is one value for each place.
+/// letters, and the caption says if there is not. Throws InputError unless there is one value for each place.
 Drawing drawMatrix(const MatrixPicture& picture);
 
 struct Rose {
@@ -28,9 +29,10 @@ struct Rose {
 
 struct RosePicture {
   std::string title, caption;
-  std::vector<Rose> roses;         // side by side
+  std::vector<Rose> roses;         // side by side, as many as have room
   int sectors = 24;                // sectors of a rose, 4 to 360; the first is centred on 0°
-  int width = 1200, height = 560;  // [pixel]
+  int width = 1200, height = 560;  // [pixel] height 0: what suits
+  Print print = {};
 };
 
 /// Returns the number of directions in each sector.

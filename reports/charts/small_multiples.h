@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawing/annotations.h"
+#include "drawing/axis.h"
 #include "drawing/drawing.h"
 
 namespace morula {
@@ -26,6 +27,7 @@ struct PanelLine {
   Colour colour;
   std::vector<Spot> points;                               // sorted by x
   std::vector<std::pair<double, double>> intervals = {};  // one for each point, or empty
+  Marker marker = Marker::disc;
 };
 
 struct Panel {
@@ -35,6 +37,8 @@ struct Panel {
   std::string xLabel = {};       // title of the lines' x axis
   /// If true, a strip of more than `maxPoints` values shows their median, quartiles and range in place of points.
   bool counts = false;
+  std::string meaning = {};  // of the measure, below the axis
+  AxisBounds bounds = {};    // of the measure
 };
 
 inline constexpr std::size_t maxPoints = 6;
@@ -42,7 +46,9 @@ inline constexpr std::size_t maxPoints = 6;
 struct SmallMultiples {
   Annotations words;
   std::vector<Panel> panels;
-  int panelWidth = 400;  // [pixel]
+  int panelWidth = 400;       // [pixel]
+  int width = 0, height = 0;  // [pixel] width 0: that of the panels; the height follows from the panels
+  Print print = {};
 };
 
 /// Draws panels as high as their strips need, in as few columns as suit a page. All words are horizontal. A single

@@ -12,7 +12,7 @@ namespace morula {
 struct OrganismTile {
   OrganismPicture picture;       // words, legend, size and framing are ignored
   bool empty = false;            // only `words` are drawn
-  std::string words;             // one line below the picture
+  std::string words;             // below the picture
   std::optional<Image> drawn{};  // a picture with a scale bar of its own, in place of `picture`
 };
 
@@ -25,7 +25,12 @@ struct OrganismGrid {
   std::optional<ColourBar> colourBar{};        // one for all tiles
   std::string lengthUnit = "[length]";         // unit of the scale bar
   double perLength = 1;                        // number of these units in one length; > 0
+  int width = 0, height = 0;                   // [pixel] of a page, at most; 0: what suits
+  Print print = {};
 };
+
+/// Size [pixel] of ordinary text in a grid.
+inline constexpr double organismGridText = 15;
 
 inline constexpr std::size_t maxGridRows = 40, maxGridColumns = 12;
 

@@ -46,6 +46,33 @@ std::vector<LegendPlace> placeLegend(const std::vector<LegendEntry>& legend, dou
   return places;
 }
 
+struct Line {
+  std::string text;
+  TextStyle style;
+  double baseline;  // [pixel]
+};
+
+constexpr double mostOfHeight = 0.25;  // [1] max height of a band
+
+/// Returns the lines of title and caption: one each where more would need too much of the picture's height.
+std::vector<Line> headOf(const Annotations& words, double size, double width, double height, bool breaks = true) {
+  const TextStyle title{.size = titleText * size, .colour = ink, .bold = true},
+      caption{.size = size, .colour = quietInk};
+  std::vector<Line> lines;
+  double y = 0.5 * size;
+  const auto add = [&](const std::string& text, const TextStyle& style) {
+    if (text.empty()) return;
+    const double room = width - 3 * size;
+    for (std::string& line : breaks ? wrapped(text, style, room) : std::vector{shortened(text, style, room)})
+      lines.push_back({std::move(line), style, y += 1.35 * style.size});
+    y += 0.3 * size;
+  };
+  add(words.title, title);
+  add(words.caption, caption);
+  const bool fits = lines.size() < 2 || lines.back().baseline + size <= mostOfHeight * height;
+  return fits || !breaks ? lines : headOf(words, size, width, height, false);
+}
+
 /// Returns both numbers with the digits that tell them apart, four at least.
 std::pair<std::string, std::string> endTexts(double low, double high) {
   for (int digits = 4; digits < 17; ++digits) {
@@ -82,26 +109,25 @@ void drawMarker(Drawing& drawing, Spot centre, double radius, Colour colour, Mar
   }
 }
 
-double textSizeFor(int width, int height) {
+double textSizeFor(int width, int height, const Print& print) {
+  if (print.textSize > 0) return print.textSize;
   const int side = std::min(width, height);
   return std::clamp(side / 56.0, side < 300 ? 10.0 : 11.0, 40.0);  // in small pictures cells need the room
 }
 
 Bands bandsFor(const Annotations& annotations, int width, int height, double textSize) {
   const double size = textSize > 0 ? textSize : textSizeFor(width, height);
-  double top = 0, bottom = 0;
-  if (!annotations.title.empty()) top += 2.0 * size;
-  if (!annotations.caption.empty()) top += 1.5 * size;
-  if (top > 0) top += 0.9 * size;
+  const auto head = headOf(annotations, size, width, height);
+  double top = head.empty() ? 0 : head.back().baseline + size, bottom = 0;
   if (!annotations.legend.empty()) {
     const auto places = placeLegend(annotations.legend, size, width - 3 * size);
     bottom = (places.back().row + 1) * 1.6 * size + 1.2 * size;
   }
-  return {int(std::min(top, height / 4.0)), int(std::min(bottom, height / 4.0))};
+  return {int(std::min(top, mostOfHeight * height)), int(std::min(bottom, mostOfHeight * height))};
 }
 
 Bands bandsAround(int middle, const Annotations& annotations, int width, double textSize) {
-  Bands bands;  // iterated, because each band is at most a quarter of the whole height
+  Bands bands{middle, middle};  // iterated, because each band is at most a quarter of the whole height
   for (int i = 0; i < 16; ++i) bands = bandsFor(annotations, width, middle + bands.top + bands.bottom, textSize);
   return bands;
 }
@@ -110,25 +136,15 @@ void annotate(Drawing& drawing, const Annotations& annotations, double textSize)
   const double size = textSize > 0 ? textSize : textSizeFor(drawing.width(), drawing.height()), left = 1.5 * size;
   const Bands bands = bandsFor(annotations, drawing.width(), drawing.height(), size);
   const double room = drawing.width() - 2 * left;
-  double y = 0.9 * size;
-  if (!annotations.title.empty()) {
-    const TextStyle style{.size = 1.45 * size, .colour = ink, .bold = true};
-    drawing.text({left, y += 1.5 * size}, shortened(annotations.title, style, room), style);
-    y += 0.5 * size;
-  }
-  if (!annotations.caption.empty()) {
-    const TextStyle style{.size = size, .colour = quietInk};
-    drawing.text({left, y + size}, shortened(annotations.caption, style, room), style);
-  }
-  if (annotations.legend.empty()) return;
-  std::vector<LegendEntry> shown;
-  std::ranges::copy_if(annotations.legend, std::back_inserter(shown), &LegendEntry::shown);
-  const auto places = placeLegend(shown, size, room);
+  for (const Line& line : headOf(annotations, size, drawing.width(), drawing.height()))
+    drawing.text({left, line.baseline}, line.text, line.style);
+  const auto places = placeLegend(annotations.legend, size, room);
   for (std::size_t i = 0; i < places.size(); ++i) {
+    const LegendEntry& entry = annotations.legend[i];
+    if (!entry.shown) continue;
     const double x = left + places[i].x;
     const double baseline = drawing.height() - bands.bottom + (places[i].row + 1) * 1.6 * size;
     if (baseline > drawing.height()) break;
-    const LegendEntry& entry = shown[i];
     if (entry.marker == Marker::square)
       drawing.box({x, baseline - 0.78 * size}, swatch(size), swatch(size), entry.colour);
     else drawMarker(drawing, {x + 0.5 * swatch(size), baseline - 0.36 * size}, 0.38 * size, entry.colour, entry.marker);
@@ -140,7 +156,7 @@ void annotate(Drawing& drawing, const Annotations& annotations, double textSize)
 void drawColourBar(Drawing& drawing, const ColourBar& bar, Spot at, double width, double textSize) {
   if (bar.blank) return;
   const TextStyle title{.size = textSize, .colour = quietInk};
-  drawing.text({at.x, at.y + textSize}, shortened(bar.title, title, width), title);
+  drawing.text({at.x, at.y + textSize}, shortened(bar.title, title, drawing.width() - at.x - 0.5 * textSize), title);
   const double top = at.y + 1.5 * textSize, height = 0.9 * textSize;
   const int steps = std::max(2, int(width));
   // Each box reaches to the bar's end, so that no edges shine through between neighbours.
@@ -149,7 +165,7 @@ void drawColourBar(Drawing& drawing, const ColourBar& bar, Spot at, double width
     const double share = bar.low < bar.high ? double(i) / (steps - 1) : 0;
     drawing.box({at.x + from, top}, width - from, height, scaleColour(share));
   }
-  TextStyle number{.size = 0.9 * textSize, .colour = quietInk};
+  TextStyle number{.size = smallText * textSize, .colour = quietInk};
   const double baseline = top + height + 1.15 * textSize;
   const auto [low, high] = endTexts(bar.low, bar.high);
   drawing.text({at.x, baseline}, low, number);

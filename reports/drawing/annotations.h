@@ -21,11 +21,11 @@ struct LegendEntry {
   Colour colour;
   std::string label;
   Marker marker = Marker::square;
-  bool shown = true;  // false: only keeps room, so that the bands of a sequence have one height
+  bool shown = true;  // false: only keeps its place, so that nothing moves in a sequence
 };
 
 struct Annotations {
-  std::string title, caption;  // UTF-8, one line each
+  std::string title, caption;  // UTF-8, broken into lines where the picture is narrow
   std::vector<LegendEntry> legend;
 };
 
@@ -44,7 +44,7 @@ Bands bandsAround(int middle, const Annotations& annotations, int width, double 
 void annotate(Drawing& drawing, const Annotations& annotations, double textSize = 0);
 
 /// Returns the size [pixel] of ordinary text on a picture of this size.
-double textSizeFor(int width, int height);
+double textSizeFor(int width, int height, const Print& print = {});
 
 struct ColourBar {
   std::string title;  // the quantity with its unit

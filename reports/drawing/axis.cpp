@@ -14,7 +14,7 @@ constexpr double manyDecades = 2e3;  // ratio from which ticks are powers of ten
 std::string tickText(double value) { return numberText(value, 6); }
 
 TextStyle tickStyle(double textSize, Anchor anchor) {
-  return {.size = 0.9 * textSize, .colour = quietInk, .anchor = anchor};
+  return {.size = smallText * textSize, .colour = quietInk, .anchor = anchor};
 }
 
 TextStyle titleStyle(double textSize, bool upward) {
@@ -39,6 +39,10 @@ std::vector<double> roundNumbers(double low, double high, int wanted) {
 double Range::shareOf(double value) const { return low < high ? (value - low) / (high - low) : 0; }
 
 void Range::see(double value) { low = std::min(low, value), high = std::max(high, value); }
+
+Range AxisBounds::around(const Range& range, double room) const {
+  return {std::min(range.low, clamped(range.low - room)), std::max(range.high, clamped(range.high + room))};
+}
 
 double Axis::place(double value) const {
   if (!(low < high)) return from;

@@ -16,6 +16,14 @@ struct Range {
   double shareOf(double value) const;
 };
 
+/// The numbers that a quantity can be: those of a share end at 0 and 1.
+struct AxisBounds {
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  double clamped(double value) const { return value < low ? low : value > high ? high : value; }
+  /// Returns the range with `room` at both ends, but not beyond the bounds unless the range itself is.
+  Range around(const Range& range, double room) const;
+};
+
 struct Axis {
   enum class Scale { linear, decades, powersOfTwo };
   Scale scale = Scale::linear;

@@ -1,7 +1,6 @@
 #include "drawing/drawing.h"
 
 #include <cairo-pdf.h>
-#include <cairo-svg.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <numbers>
 
 #include "drawing/cairo.h"
+#include "drawing/canvas.h"
 #include "drawing/png_file.h"
 
 namespace morula {
@@ -69,122 +69,138 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
   return CAIRO_STATUS_SUCCESS;
 }
 
-Spot between(Spot a, Spot b, double share) { return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)}; }
-
-void trace(cairo_t* target, const std::vector<Spot>& points, double rounding) {
-  constexpr double quarterCircle = 0.5523;  // control points stand at this share of the way to the corner
-  const auto before = [&](Spot corner, Spot other) {
-    const double length = std::hypot(other.x - corner.x, other.y - corner.y);
-    return between(corner, other, length > 0 ? std::min(0.5, rounding / length) : 0);
-  };
-  cairo_move_to(target, points.front().x, points.front().y);
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const Spot corner = points[i], from = before(corner, points[i - 1]), to = before(corner, points[i + 1]);
-    const Spot one = between(from, corner, quarterCircle), other = between(to, corner, quarterCircle);
-    cairo_line_to(target, from.x, from.y);
-    if (rounding > 0) cairo_curve_to(target, one.x, one.y, other.x, other.y, to.x, to.y);
+/// A cairo surface, of which a unit is as long as a pixel of the drawing.
+class CairoCanvas : public Canvas {
+ public:
+  CairoCanvas(cairo_surface_t* surface, double pixel) : context_(cairo_create(surface)) {
+    cairo_scale(target(), pixel, pixel);
+    cairo_set_line_cap(target(), CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(target(), CAIRO_LINE_JOIN_ROUND);
   }
-  cairo_line_to(target, points.back().x, points.back().y);
-}
 
-constexpr std::string_view svgEnd = "?>\n";  // end of the first line
+  void line(const std::vector<Spot>& points, const Stroke& stroke) override {
+    setColour(target(), stroke.colour);
+    cairo_set_line_width(target(), stroke.width);
+    cairo_set_dash(target(), dashes, stroke.dashed ? 2 : 0, 0);
+    trace(*this, points, stroke.rounding);
+    cairo_stroke(target());
+  }
+  void disc(Spot centre, double radius, Colour colour) override {
+    cairo_new_path(target());  // without this a disc would begin where the words end
+    cairo_arc(target(), centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+    fill(colour);
+  }
+  void area(const std::vector<Spot>& points, Colour colour) override {
+    trace(*this, points, 0);
+    cairo_close_path(target());
+    fill(colour);
+  }
+  void box(Spot topLeft, double width, double height, Colour colour) override {
+    cairo_rectangle(target(), topLeft.x, topLeft.y, width, height);
+    fill(colour);
+  }
+  void text(Spot baseline, const std::string& text, const TextStyle& style) override {
+    showText(target(), baseline.x, baseline.y, text, style);
+    cairo_new_path(target());
+  }
+  void image(Spot topLeft, const Image& image, double pixel) override {
+    cairo_save(target());
+    cairo_translate(target(), topLeft.x, topLeft.y);
+    cairo_scale(target(), pixel, pixel);
+    cairo_set_source_surface(target(), surfaceOf(image).get(), 0, 0);
+    cairo_paint(target());
+    cairo_restore(target());
+  }
+
+  void moveTo(Spot a) { cairo_move_to(target(), a.x, a.y); }
+  void lineTo(Spot a) { cairo_line_to(target(), a.x, a.y); }
+  void curveTo(Spot a, Spot b, Spot c) { cairo_curve_to(target(), a.x, a.y, b.x, b.y, c.x, c.y); }
+
+  /// Throws if drawing has failed.
+  void requireSuccess() { morula::requireSuccess(cairo_status(target())); }
+
+ private:
+  void fill(Colour colour) {
+    setColour(target(), colour);
+    cairo_fill(target());
+  }
+  cairo_t* target() { return context_.get(); }
+
+  Context context_;
+};
 
 }  // namespace
 
-Drawing::Drawing(int width, int height, Ground ground) : width_(width), height_(height), ground_(ground) {
+Drawing::Drawing(int width, int height, Ground ground, const Print& print)
+    : width_(width), height_(height), ground_(ground), print_(print) {
   checkSides(width, height);
 }
 
 void Drawing::line(const std::vector<Spot>& points, const Stroke& stroke) {
   if (points.empty() || !(stroke.width > 0)) return;
-  marks_.push_back([=](cairo_t* target) {
-    constexpr double dashes[] = {9, 6};  // [pixel] drawn and blank
-    setColour(target, stroke.colour);
-    cairo_set_line_width(target, stroke.width);
-    cairo_set_dash(target, dashes, stroke.dashed ? 2 : 0, 0);
-    trace(target, points, stroke.rounding);
-    cairo_stroke(target);
-  });
+  marks_.push_back([=](Canvas& canvas) { canvas.line(points, stroke); });
 }
 
 void Drawing::disc(Spot centre, double radius, Colour colour) {
-  marks_.push_back([=](cairo_t* target) {
-    setColour(target, colour);
-    cairo_arc(target, centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
-    cairo_fill(target);
-  });
+  marks_.push_back([=](Canvas& canvas) { canvas.disc(centre, radius, colour); });
 }
 
 void Drawing::area(const std::vector<Spot>& points, Colour colour) {
   if (points.empty()) return;
-  marks_.push_back([=](cairo_t* target) {
-    setColour(target, colour);
-    trace(target, points, 0);
-    cairo_close_path(target);
-    cairo_fill(target);
-  });
+  marks_.push_back([=](Canvas& canvas) { canvas.area(points, colour); });
 }
 
 void Drawing::box(Spot topLeft, double width, double height, Colour colour) {
-  marks_.push_back([=](cairo_t* target) {
-    setColour(target, colour);
-    cairo_rectangle(target, topLeft.x, topLeft.y, width, height);
-    cairo_fill(target);
-  });
+  marks_.push_back([=](Canvas& canvas) { canvas.box(topLeft, width, height, colour); });
 }
 
 void Drawing::text(Spot baseline, std::string_view text, const TextStyle& style) {
-  marks_.push_back(
-      [=, text = std::string(text)](cairo_t* target) { showText(target, baseline.x, baseline.y, text, style); });
+  marks_.push_back([=, text = validText(text)](Canvas& canvas) { canvas.text(baseline, text, style); });
 }
 
-void Drawing::image(int x, int y, const Image& image) {
-  marks_.push_back([=](cairo_t* target) {
-    cairo_set_source_surface(target, surfaceOf(image).get(), x, y);
-    cairo_paint(target);
-  });
+void Drawing::image(double x, double y, const Image& image, double pixel) {
+  marks_.push_back([=](Canvas& canvas) { canvas.image({x, y}, image, pixel); });
 }
 
-void Drawing::replay(cairo_t* target) const {
-  if (ground_ == Ground::paper) {
-    setColour(target, paper);
-    cairo_paint(target);
-  }
-  cairo_set_line_cap(target, CAIRO_LINE_CAP_ROUND);
-  cairo_set_line_join(target, CAIRO_LINE_JOIN_ROUND);
-  for (const auto& mark : marks_) {
-    mark(target);
-    cairo_new_path(target);  // without this a disc would begin where the words end
-  }
-  requireSuccess(cairo_status(target));
+void Drawing::replay(Canvas& canvas) const {
+  if (ground_ == Ground::paper) canvas.box({0, 0}, width_, height_, paper);
+  for (const auto& mark : marks_) mark(canvas);
 }
 
 Image Drawing::pixels() const {
+  // In print a dot need not be a pixel of the layout. Where it is but for rounding, nothing is scaled.
+  const double dots = std::abs(print_.dots() - 1) < 0.01 ? 1 : print_.dots();
+  const int width = int(std::lround(dots * width_)), height = int(std::lround(dots * height_));
+  checkSides(width, height);
   const Surface surface(
-      cairo_image_surface_create(ground_ == Ground::paper ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, width_, height_));
-  replay(Context(cairo_create(surface.get())).get());
+      cairo_image_surface_create(ground_ == Ground::paper ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, width, height));
+  CairoCanvas canvas(surface.get(), dots);
+  replay(canvas);
+  canvas.requireSuccess();
   return imageOf(surface.get());
 }
 
 std::string Drawing::file(PictureFormat format) const {
-  if (format == PictureFormat::png) return pngFile(pixels());
-  std::string bytes;
-  const bool svg = format == PictureFormat::svg;
-  const Surface surface((svg ? cairo_svg_surface_create_for_stream : cairo_pdf_surface_create_for_stream)(
-      append, &bytes, width_, height_));
-  if (svg) cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
-  else {
-    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_5);
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, nullptr);
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "Morula");
+  if (format == PictureFormat::png) return pngFile(pixels(), print_.onPaper() ? printDots : 0);
+  if (format == PictureFormat::svg) {
+    SvgFile svg(width_, height_, print_);
+    replay(svg);
+    return svg.finish();
   }
-  replay(Context(cairo_create(surface.get())).get());
+  std::string bytes;
+  const Surface surface(
+      cairo_pdf_surface_create_for_stream(append, &bytes, print_.pixel * width_, print_.pixel * height_));
+  cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_5);
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, nullptr);
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "Morula");
+  {
+    CairoCanvas canvas(surface.get(), print_.pixel);
+    replay(canvas);
+    canvas.requireSuccess();
+  }
   cairo_surface_finish(surface.get());
   requireSuccess(cairo_surface_status(surface.get()));
-  if (!svg) return bytes;
-  // cairo numbers all surfaces of the process; without this number equal drawings give equal bytes.
-  if (const auto id = bytes.find(" id=\"surface"); id != bytes.npos) bytes.erase(id, bytes.find('"', id + 5) + 1 - id);
-  return bytes.insert(bytes.find(svgEnd) + svgEnd.size(), "<!-- Morula -->\n");
+  return bytes;
 }
 
 double crisp(double place) { return std::floor(place) + 0.5; }

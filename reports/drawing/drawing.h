@@ -1,18 +1,19 @@
 #pragma once
 // A drawing keeps its lines, discs, words and pixels, and becomes pixels, PNG, SVG or PDF, by cairo. Coordinates are in
-// pixels from the top left corner, y downwards; pixel (0, 0) covers 0 to 1. In SVG a pixel is a px, in PDF a point
-// (1/72 inch).
+// pixels from the top left corner, y downwards; pixel (0, 0) covers 0 to 1. A pixel is 1/96 inch on a screen and as large
+// as Print says on paper.
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "drawing/drawn_text.h"
+#include "drawing/figure_size.h"
 #include "image/image.h"
 
-typedef struct _cairo cairo_t;
-
 namespace morula {
+
+class Canvas;
 
 struct Spot {
   double x = 0, y = 0;
@@ -31,7 +32,7 @@ class Drawing {
  public:
   enum class Ground { paper, none };  // none: transparent where nothing is drawn
   /// Creates an empty drawing. Throws InputError as checkSides does.
-  Drawing(int width, int height, Ground ground = Ground::paper);
+  Drawing(int width, int height, Ground ground = Ground::paper, const Print& print = {});
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -46,21 +47,22 @@ class Drawing {
   void box(Spot topLeft, double width, double height, Colour colour);
   /// Draws UTF-8 text on one line, its baseline through the spot. Bytes that are not UTF-8 appear as U+FFFD.
   void text(Spot baseline, std::string_view text, const TextStyle& style);
-  /// Draws the image's pixels unscaled, top left corner at (x, y).
-  void image(int x, int y, const Image& image);
+  /// Draws the image, top left corner at (x, y); each of its pixels covers `pixel` times a pixel of the drawing.
+  void image(double x, double y, const Image& image, double pixel = 1);
 
   Image pixels() const;
 
-  /// Returns the content of a file. Equal drawings give equal bytes on one machine: files contain no date. Words can be
-  /// searched and marked in PDF; in SVG they are shapes, so that they look the same without the font.
+  /// Returns the content of a file. Equal drawings give equal bytes on one machine: files contain no date. Words are
+  /// text in SVG and PDF; PDF holds the font's letters, SVG the width that words have in it.
   std::string file(PictureFormat format) const;
 
  private:
-  void replay(cairo_t* target) const;
+  void replay(Canvas& canvas) const;
 
   int width_, height_;
   Ground ground_;
-  std::vector<std::function<void(cairo_t*)>> marks_;
+  Print print_;
+  std::vector<std::function<void(Canvas&)>> marks_;
 };
 
 /// Returns the place of a horizontal or vertical line one pixel wide that runs through the middle of a row or column,

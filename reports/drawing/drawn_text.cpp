@@ -95,6 +95,8 @@ std::vector<double> edgesOf(const Letters& letters, const TextStyle& style) {
 
 }  // namespace
 
+std::string validText(std::string_view text) { return lettersOf(text).text; }
+
 double textWidth(std::string_view text, const TextStyle& style) { return edgesOf(lettersOf(text), style).back(); }
 
 std::string shortened(std::string_view text, const TextStyle& style, double width) {
@@ -107,8 +109,19 @@ std::string shortened(std::string_view text, const TextStyle& style, double widt
   return kept == 0 ? "" : letters.text.substr(0, letters.starts[kept]) + ellipsis;
 }
 
-void showText(cairo_t* target, double x, double y, const std::string& text, const TextStyle& style) {
-  const std::string shown = lettersOf(text).text;
+std::vector<std::string> wrapped(std::string_view text, const TextStyle& style, double width) {
+  std::vector<std::string> lines{""};
+  for (std::size_t end; !text.empty(); text.remove_prefix(std::min(text.size(), end + 1))) {
+    end = std::min(text.find(' '), text.size());
+    const std::string word(text.substr(0, end)), longer = lines.back().empty() ? word : lines.back() + ' ' + word;
+    if (lines.back().empty() || textWidth(longer, style) <= width) lines.back() = longer;
+    else lines.push_back(word);
+  }
+  for (std::string& line : lines) line = shortened(line, style, width);
+  return lines;
+}
+
+void showText(cairo_t* target, double x, double y, const std::string& shown, const TextStyle& style) {
   const double back =
       style.anchor == Anchor::left ? 0 : textWidth(shown, style) * (style.anchor == Anchor::centre ? 0.5 : 1);
   cairo_save(target);

@@ -3,6 +3,7 @@
 // hinted, so that text scales evenly; there is no kerning.
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "image/colour.h"
 
@@ -24,13 +25,19 @@ struct TextStyle {
 /// Max number of letters of a text that are drawn; no picture has room for more.
 inline constexpr std::size_t maxLetters = 8192;
 
+/// Returns the text with U+FFFD for each byte that is not UTF-8, and at most maxLetters letters.
+std::string validText(std::string_view text);
+
 /// Returns the width of the text [pixel].
 double textWidth(std::string_view text, const TextStyle& style);
 
 /// Returns the text, shortened with an ellipsis to at most `width` pixels; empty if not even one letter fits.
 std::string shortened(std::string_view text, const TextStyle& style, double width);
 
-/// Draws the text for drawing.cpp, with its baseline through (x, y).
+/// Returns the text's lines of at most `width` pixels, broken at blanks; at least one. A longer word is shortened.
+std::vector<std::string> wrapped(std::string_view text, const TextStyle& style, double width);
+
+/// Draws valid text for drawing.cpp, with its baseline through (x, y).
 void showText(cairo_t* target, double x, double y, const std::string& text, const TextStyle& style);
 
 }  // namespace morula

@@ -12,8 +12,8 @@ inline constexpr Colour quietInk{0x5c, 0x63, 0x6b};  // axes, captions, legends
 inline constexpr Colour gridInk{0xe6, 0xe6, 0xe2};
 
 /// Returns the colour of series number i, from 0. No two of the first `manySeries` are alike. The first `fewSeries` can
-/// be told apart also with colour blindness [Okabe & Ito 2008, without their yellow, which is too faint on paper]; draw
-/// later series differently as well, such as dashed.
+/// be told apart also with colour blindness [Okabe & Ito 2008, without their yellow, which is too faint on paper]. In
+/// grey print, and with colour blindness, series with one seriesMarker have different colours; so draw the marker, too.
 Colour seriesColour(std::size_t i);
 inline constexpr std::size_t fewSeries = 7, manySeries = 24;
 

@@ -8,8 +8,8 @@
 namespace morula {
 
 /// Returns the content of a PNG file, 8-bit RGB or RGBA, marked as made by Morula. Equal images give equal bytes with
-/// one version of libpng.
-std::string pngFile(const Image& image);
+/// one version of libpng. `perInch`: dots per inch that the file asks for in print; 0: it says nothing.
+std::string pngFile(const Image& image, double perInch = 0);
 
 /// Returns true if a file that begins with `head` is a PNG of pngFile; the first 64 bytes are enough.
 bool isOwnPng(std::string_view head);

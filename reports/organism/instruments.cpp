@@ -71,7 +71,7 @@ void drawAxes(Drawing& drawing, const PictureScale& eye, Spot middle, double tex
     }
     const double size = std::hypot(way.x, way.y), reach = length * std::max(seen, size) + 0.6 * textSize;
     drawing.text({middle.x + reach * way.x / size, middle.y + reach * way.y / size + 0.33 * textSize}, names[i],
-                 {.size = 0.95 * textSize, .colour = colour, .bold = true, .anchor = Anchor::centre});
+                 {.size = textSize, .colour = colour, .bold = true, .anchor = Anchor::centre});
   }
 }
 

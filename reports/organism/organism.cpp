@@ -78,12 +78,26 @@ void check(const OrganismPicture& picture) {
 
 Annotations wordsOf(const OrganismPicture& picture) { return {picture.title, picture.caption, picture.legend}; }
 
+std::string hiddenWords(std::size_t labels) {
+  return ", " + std::to_string(labels) + " of them without a label (hidden, or no room)";
+}
+
+double textSizeOf(const OrganismPicture& picture, int width) {
+  return textSizeFor(width, picture.height, picture.print);
+}
+
 int instrumentsHeight(const OrganismPicture& picture, int width) {
-  return instrumentsHeight(picture.instruments, width, textSizeFor(width, picture.height));
+  return instrumentsHeight(picture.instruments, width, textSizeOf(picture, width));
+}
+
+Bands bandsOf(const OrganismPicture& picture, int width) {
+  Annotations words = wordsOf(picture);
+  if (!picture.labels.empty()) words.caption += hiddenWords(picture.labels.size());  // the most that it can become
+  return bandsFor(words, width, picture.height, picture.print.textSize);
 }
 
 int sceneHeight(const OrganismPicture& picture, int width) {
-  const Bands bands = bandsFor(wordsOf(picture), width, picture.height);
+  const Bands bands = bandsOf(picture, width);
   const int height = picture.height - bands.top - bands.bottom - instrumentsHeight(picture, width);
   if (height < 16)
     throw InputError("words and scales leave no room for the cells in a picture of " + std::to_string(width) + " x " +
@@ -152,13 +166,15 @@ OrganismRenderer& rendererOfThisThread() {
   return renderer;
 }
 
-/// Draws one scene for each style, side by side, with one title, caption and legend.
-Image compose(const OrganismPicture& picture, const std::vector<Style>& styles) {
+}  // namespace
+
+Drawing organismDrawing(const OrganismPicture& picture, const std::vector<Style>& styles) {
   check(picture);
   const int width = picture.width * int(styles.size()), height = sceneHeight(picture, width);
   const Framing framing = picture.camera.framing ? *picture.camera.framing : framingOf(extent(picture), picture, width);
-  Drawing drawing(width, picture.height, picture.transparent ? Drawing::Ground::none : Drawing::Ground::paper);
-  const int top = bandsFor(wordsOf(picture), width, picture.height).top;
+  Drawing drawing(width, picture.height, picture.transparent ? Drawing::Ground::none : Drawing::Ground::paper,
+                  picture.print);
+  const int top = bandsOf(picture, width).top;
   const EyeAxes axes = eyeAxes(picture.camera);
   const Aperture aperture = apertureOf(picture.width, height);
   Annotations words = wordsOf(picture);
@@ -167,27 +183,20 @@ Image compose(const OrganismPicture& picture, const std::vector<Style>& styles) 
     drawing.image(left, top, rendererOfThisThread().draw(picture, styles[i], framing, picture.width, height));
     if (picture.labels.empty()) continue;
     const LabelGround ground{picture.width, height, rendererOfThisThread().owners()};
-    const double size = 0.92 * textSizeFor(width, picture.height);
+    const double size = smallText * textSizeOf(picture, width);
     const auto placed = placeLabels(ground, labelsOf(picture, axes, framing, aperture, ground), size);
     drawLabels(drawing, placed, left, top, size);
     const std::size_t hidden = picture.labels.size() - placed.size();
-    if (i == 0 && hidden > 0 && !words.caption.empty())
-      words.caption += ", " + std::to_string(hidden) + " of them without a label (hidden, or no room)";
+    if (i == 0 && hidden > 0 && !words.caption.empty()) words.caption += hiddenWords(hidden);
   }
   const double pixelsPerLength = 0.5 * picture.width / (aperture.x * framing.distance);
   drawInstruments(drawing, picture.instruments, {axes.x, axes.y, axes.z, pixelsPerLength}, top + height,
-                  textSizeFor(width, picture.height));
-  annotate(drawing, words);
-  return drawing.pixels();
+                  textSizeOf(picture, width));
+  annotate(drawing, words, picture.print.textSize);
+  return drawing;
 }
 
-}  // namespace
-
-Image drawOrganism(const OrganismPicture& picture, Style style) { return compose(picture, {style}); }
-
-Image drawSolidAndWireframe(const OrganismPicture& picture) {
-  return compose(picture, {Style::solid, Style::wireframe});
-}
+Image drawOrganism(const OrganismPicture& picture, Style style) { return organismDrawing(picture, {style}).pixels(); }
 
 Framing fitFraming(const OrganismPicture& picture) { return fitFraming(std::vector<OrganismPicture>{picture}); }
 

@@ -69,7 +69,8 @@ struct OrganismPicture {
   std::string caption;  // one line under the title, for example time and cells
   std::vector<LegendEntry> legend;
   int width = 900, height = 900;  // [pixel] 16 to 8192; width · height · samples² at most 50 million
-  int samples = 2;                // per pixel side, 1 to 4; higher: smoother edges, slower, more memory
+  Print print = {};
+  int samples = 2;  // per pixel side, 1 to 4; higher: smoother edges, slower, more memory
 };
 
 enum class Style {
@@ -86,8 +87,8 @@ inline const std::vector<Face>& facesOf(const OrganismPicture& picture, const Ce
 /// shares, a camera without a direction, and coordinates that are not finite.
 Image drawOrganism(const OrganismPicture& picture, Style style = Style::solid);
 
-/// Draws solid and wireframe side by side, 2·width × height.
-Image drawSolidAndWireframe(const OrganismPicture& picture);
+/// Draws one scene for each style, side by side, with one title, caption and legend: words are text, the scenes pixels.
+Drawing organismDrawing(const OrganismPicture& picture, const std::vector<Style>& styles);
 
 /// Returns the nearest framing that contains all lines, and the shell or, without a shell, all visible cells.
 Framing fitFraming(const OrganismPicture& picture);

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "image/base64.h"
+
 namespace morula {
 
 /// Escapes & < > " ' for HTML text and quoted attributes. Bytes that are not UTF-8 must be replaced before.
@@ -13,9 +15,6 @@ std::string htmlText(std::string_view text);
 /// Escapes JSON for a script element: < > & and the Unicode line ends (U+2028, U+2029) become \u003c …, so that no text
 /// ends the element or begins a comment. The JSON's meaning stays.
 std::string scriptJson(std::string_view json);
-
-/// Returns the base64 of bytes [RFC 4648], with padding.
-std::string base64(std::string_view bytes);
 
 /// Returns a data URI such as "data:image/png;base64,…".
 std::string dataUri(std::string_view type, std::string_view bytes);

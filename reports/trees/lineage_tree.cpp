@@ -6,6 +6,7 @@
 
 #include "base/cell_path.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "drawing/axis.h"
 #include "drawing/palette.h"
 
@@ -30,6 +31,8 @@ struct Sheet {
   double line;   // [pixel] width of a cell's line
   bool upward;   // leaf labels are vertical because they are too wide
   double label;  // [pixel] text size of leaf labels; 0: there are none
+  double room;   // [pixel] height for upright labels
+  bool cuts;     // labels of inner cells that do not fit are cut, not left out
 
   double x(double leafUnits) const { return frame.left + 0.5 * frame.textSize + pitch * leafUnits; }
   double y(double when) const { return time.place(when); }
@@ -49,14 +52,17 @@ void settleSize(TreePicture& picture, const TreeLayout& layout) {
     picture.width = int(std::clamp(160 + std::max(perLeaf, 11.0) * leaves, 900.0, 16384.0));
   if (picture.width == 0) picture.width = int(std::clamp(160 + perLeaf * leaves, 900.0, 2000.0));
   if (picture.height == 0) picture.height = int(std::clamp(420 + 70.0 * double(depth), 640.0, 1100.0));
+  if (picture.print.onPaper()) picture.height = std::min(picture.height, int(1.2 * picture.width));
   for (const int side : {picture.width, picture.height})
     if (side < 64 || side > 16384)
       throw InputError("a lineage tree of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
                        " pixels cannot be drawn; width and height must be 64 to 16384, or 0 for what suits");
 }
 
+double textSizeOf(const TreePicture& picture) { return textSizeFor(picture.width, picture.height, picture.print); }
+
 double barHeight(const TreePicture& picture) {
-  const double size = textSizeFor(picture.width, picture.height);
+  const double size = textSizeOf(picture);
   return picture.colourBar ? colourBarHeight(size) + size : 0;
 }
 
@@ -68,8 +74,8 @@ double widestLabel(const TreeLayout& layout, double size) {
 }
 
 Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Annotations& words) {
-  const Bands bands = bandsFor(words, picture.width, picture.height);
-  const double size = textSizeFor(picture.width, picture.height);
+  const double size = textSizeOf(picture);
+  const Bands bands = bandsFor(words, picture.width, picture.height, size);
   Sheet sheet{};
   sheet.time = {.low = layout.begin, .high = layout.end};
   sheet.frame = {.left = roomForUprightAxis(sheet.time, size),
@@ -79,13 +85,25 @@ Sheet makeSheet(const TreePicture& picture, const TreeLayout& layout, const Anno
                  .textSize = size};
   sheet.pitch = (sheet.frame.right - sheet.x(0)) / std::max(1.0, double(layout.leaves));
   sheet.line = std::clamp(0.25 * sheet.pitch, 1.0, 0.2 * size);
+  sheet.cuts = !picture.print.onPaper();
+  sheet.room = (sheet.cuts ? 0.25 : 0.4) * picture.height - size;
   double below = 1.2 * size;
-  if (layout.leaves <= maxLabelledLeaves) sheet.label = size;
-  else if (picture.labelsAll) sheet.label = std::min(size, 0.85 * sheet.pitch);
+  if (picture.labelsAll) sheet.label = std::min(size, 0.85 * sheet.pitch);
+  else if (layout.leaves <= maxLabelledLeaves) sheet.label = size;
+  if (picture.print.onPaper() && sheet.label > 0) {
+    sheet.label = std::min(size, 0.95 * sheet.pitch);
+    const double least = smallText * size, millimetres = picture.width * picture.print.pixel * 25.4 / 72;
+    if (sheet.label < least && picture.labelsAll)
+      throw InputError("the labels of " + std::to_string(layout.leaves) + " cells do not fit into " +
+                       numberText(millimetres, 3) + " mm; needs at least " +
+                       numberText(std::ceil(millimetres * least / sheet.label), 4) +
+                       " mm, a smaller font, or no labels");
+    if (sheet.label < least) sheet.label = 0;
+  }
   if (sheet.label > 0) {
     const double widest = widestLabel(layout, sheet.label);
     sheet.upward = widest > sheet.pitch - 0.6 * size;
-    below += sheet.upward ? std::min(widest + size, 0.25 * picture.height) : 1.2 * size;
+    below += sheet.upward ? std::min(widest + size, sheet.room + size) : 1.2 * size;
   }
   sheet.frame.bottom = std::max(sheet.frame.top + 8, picture.height - bands.bottom - barHeight(picture) - below);
   sheet.time.from = sheet.frame.top, sheet.time.to = sheet.frame.bottom;
@@ -121,8 +139,7 @@ void drawLeafLabel(Drawing& drawing, const Sheet& sheet, const TreePlace& place)
     return;
   }
   const TextStyle style{.size = size, .colour = ink, .anchor = Anchor::right, .upward = true};
-  drawing.text({below.x + 0.36 * size, below.y},
-               shortened(place.node->label, style, 0.25 * drawing.height() - sheet.frame.textSize), style);
+  drawing.text({below.x + 0.36 * size, below.y}, shortened(place.node->label, style, sheet.room), style);
 }
 
 /// Draws the times of deeds that are done to all cells.
@@ -145,17 +162,18 @@ void drawMarks(Drawing& drawing, const Sheet& sheet, const TreeLayout& layout, c
 
 /// Draws a cell's label beside its line, and its letter A or B at the corner.
 void drawInnerLabels(Drawing& drawing, const Sheet& sheet, const TreePlace& place) {
-  const double x = sheet.x(place.x), size = 0.9 * sheet.frame.textSize, width = sheet.width(place);
+  const double x = sheet.x(place.x), size = smallText * sheet.frame.textSize, width = sheet.width(place);
   if (!place.isLeaf()) {
     const TextStyle style{.size = size, .colour = quietInk};
     const double middle = 0.5 * (sheet.y(place.node->born) + sheet.y(place.node->ended));
-    drawing.text({x + width + 0.3 * size, middle + 0.36 * size},
-                 shortened(place.node->label, style, 0.9 * sheet.pitch - width), style);
+    const std::string label = shortened(place.node->label, style, 0.9 * sheet.pitch - width);
+    if (sheet.cuts || label == place.node->label)
+      drawing.text({x + width + 0.3 * size, middle + 0.36 * size}, label, style);
   }
   if (place.mother < 0) return;
   const bool b = place.node->path.back() == 'B';
   drawing.text({x, sheet.y(place.node->born) - width - 0.2 * size}, b ? "B" : "A",
-               {.size = 0.8 * size, .colour = quietInk, .anchor = b ? Anchor::right : Anchor::left});
+               {.size = size, .colour = quietInk, .anchor = b ? Anchor::right : Anchor::left});
 }
 
 }  // namespace
@@ -207,13 +225,13 @@ Drawing drawLineage(const TreePicture& asked) {
   if (std::any_of(picture.nodes.begin(), picture.nodes.end(), died))
     words.legend.push_back({ink, "died", Marker::cross});
   if (!picture.marks.empty()) words.legend.push_back({ink, "experiment", Marker::ring});
-  Drawing drawing(picture.width, picture.height);
-  annotate(drawing, words);
+  Drawing drawing(picture.width, picture.height, Drawing::Ground::paper, picture.print);
+  annotate(drawing, words, picture.print.textSize);
   if (layout.places.empty()) return drawing;
-  if (const double size = textSizeFor(picture.width, picture.height); picture.colourBar)
+  if (const double size = textSizeOf(picture); picture.colourBar)
     drawColourBar(
         drawing, *picture.colourBar,
-        {1.5 * size, picture.height - bandsFor(words, picture.width, picture.height).bottom - barHeight(picture)},
+        {1.5 * size, picture.height - bandsFor(words, picture.width, picture.height, size).bottom - barHeight(picture)},
         std::min(picture.width - 3 * size, 24 * size), size);
   const Sheet sheet = makeSheet(picture, layout, words);
   drawUprightAxis(drawing, sheet.frame, sheet.time, picture.timeLabel);

@@ -55,7 +55,9 @@ struct TreePicture {
   std::string timeLabel = "time";  // title of the axis, with the unit of the nodes' times
   std::vector<LegendEntry> legend;
   int width = 0, height = 0;  // [pixel] 64 to 16384; 0: chosen by the number of leaves
-  // Labels all leaves, in letters as large as fit; a chosen width then makes them legible.
+  Print print = {};
+  // Labels all leaves, in letters as large as fit; a chosen width then makes them legible. In print letters that would
+  // be smaller than small text are an InputError.
   bool labelsAll = false;
   std::optional<ColourBar> colourBar = {};  // explains the colours
 };

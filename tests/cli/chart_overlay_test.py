@@ -28,13 +28,10 @@ QUIET_INK = (0x5C, 0x63, 0x6B)  # colour of axes (reports/drawing/palette.h)
 def strokes(svg):
     """The lines of an SVG, each with its colour and its points in pixels."""
     for tag in re.findall(r"<path [^>]*>", svg):
-        colour = re.search(r'stroke="rgb\(([\d.]+)%, ?([\d.]+)%, ?([\d.]+)%\)"', tag) or re.search(
-            r"stroke:rgb\(([\d.]+)%,([\d.]+)%,([\d.]+)%\)", tag)
-        path = re.search(r' d="([^"]*)"', tag)
+        colour, path = re.search(r' stroke="#([0-9a-f]{6})"', tag), re.search(r' d="([^"]*)"', tag)
         if colour and path:
             numbers = [float(word) for word in re.findall(r"-?[\d.]+", path.group(1))]
-            yield (tuple(round(float(part) * 2.55) for part in colour.groups()),
-                   list(zip(numbers[::2], numbers[1::2])))
+            yield tuple(bytes.fromhex(colour.group(1))), list(zip(numbers[::2], numbers[1::2]))
 
 
 def grown(mask, by):

@@ -11,6 +11,7 @@
 
 #include "cli/evidence.h"
 #include "cli/kept_studies.h"
+#include "figures.h"
 // Included last, because of CHECK:
 #include "catch.h"
 
@@ -118,6 +119,14 @@ TEST_CASE("the claims of the shipped studies hold, and their READMEs say what th
     std::istringstream lines(succeeds(command).out);
     for (std::string line; std::getline(lines, line);) printed[study].emplace_back(withSingleBlanks(line));
     succeeds({"render", kept, "--compare", drawn});
+    for (const std::string ending : {".svg", ".pdf"}) {  // as a journal prints it
+      auto printed = command;
+      printed.back() = temporary / ("printed" + ending);
+      succeeds(joined(printed, {"--size", "85mm"}));
+      const std::string file = readWhole(printed.back());
+      CHECK(wrongOn(ending == ".svg" ? pageOfSvg(file) : pageOfPdf(file), 85) == "");
+      CHECK((ending == ".svg" || holdsFonts(file)));
+    }
     ++figures;
   }
   CHECK(figures >= (family == "policies" ? 8 : family == "worm" ? 1 : 0));

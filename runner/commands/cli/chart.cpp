@@ -24,7 +24,7 @@ namespace {
 struct ChartOptions {
   std::string file, what, run, picture;
   std::optional<double> time;
-  std::optional<PictureSize> size;
+  FigureOptions figure;
   InputOptions input;
   ExecutionOptions execution;
   OutputOptions output;
@@ -48,17 +48,17 @@ RunToDraw resultsOf(const ChartOptions& options, const Scenario& scenario) {
 }
 
 template <class Picture>
-Picture ofSize(Picture picture, const std::optional<PictureSize>& size) {
-  if (size) picture.width = size->width, picture.height = size->height;
+Picture ofSize(Picture picture, const FigureOptions& figure) {
+  figure.both().set(picture, figureText);
   return picture;
 }
 
 Drawing draw(const RunToDraw& run, const ChartOptions& options, const std::optional<AskedMeasure>& measure,
              const Scenario& scenario) {
-  if (measure) return drawChart(ofSize(seriesOf(run.results, *measure, scenario), options.size));
+  if (measure) return drawChart(ofSize(seriesOf(run.results, *measure, scenario), options.figure));
   if (options.what == "contacts")
-    return drawMatrix(ofSize(contactsOf(run.results, options.time.value_or(run.end), scenario), options.size));
-  return drawRoses(ofSize(divisionsOf(run.results, scenario), options.size));
+    return drawMatrix(ofSize(contactsOf(run.results, options.time.value_or(run.end), scenario), options.figure));
+  return drawRoses(ofSize(divisionsOf(run.results, scenario), options.figure));
 }
 
 int act(const ChartOptions& options) {
@@ -97,7 +97,7 @@ void addChart(CLI::App& app, Action& action) {
   addRunChoice(verb, options.run);
   verb.takes("--time", options.time, "TIME", number(scenario::notNegative),
              "Time of the contacts that are drawn; default: the end");
-  verb.takes("--size", options.size, "WxH", pictureSize(200, 8192), "Width and height in pixels");
+  addFigure(verb, options.figure, 200, 8192);
   verb.takes("-o,--output", options.picture, "FILE", pictureName("chart", true),
              "File to write: .svg, .pdf or .png; default: the scenario's name and WHAT, as .svg");
   add(verb, options.input);

@@ -101,22 +101,19 @@ int act(const ExportOptions& options) {
   if (options.request.run.empty() && isMergedStudy(options.database))
     throw UsageError("--ro-crate: " + options.database + " holds " + std::to_string(store.runs().size()) +
                      " runs of a study, and a crate holds one run; choose it by --run ID (`" + programWord() +
-                     " export " + shellWord(options.database) + "` lists them)");
+                     " export " + shellWord(options.database) + "` lists them), or export the whole study by `" +
+                     programWord() + " study export " + shellWord(options.database) + "`");
   const StoredRun run = store.find(options.request.run);
   requireWholeRecord(store, run);
   tellUnlessFine(store, run);
   const fs::path folder = options.crate;
   DraftFolder draft(folder);
-  CrateRun crate = crateOf(store, run, options.pictures, draft.path());
+  Crate crate = crateOf(store, run, options.pictures, draft.path());
   crate.agent = options.agent, crate.license = options.license;
   writeCrate(crate, draft.path());
   draft.takePlace();
-  if (options.license.empty())
-    tell(
-        "the crate names no licence, so strict readers of RO-Crate 1.1 reject it; name one, as in --license "
-        "CC-BY-4.0",
-        options.output.quiet);
-  printEither(options.output, {{"run_id", crate.run.id}, {"crate", folder.string()}, {"files", crate.files.size()}},
+  if (options.license.empty()) tell(noLicence, options.output.quiet);
+  printEither(options.output, {{"run_id", run.id}, {"crate", folder.string()}, {"files", crate.files.size()}},
               fmt::format("{} ({} files and ro-crate-metadata.json)\n", folder.string(), crate.files.size()));
   return fine;
 }

@@ -144,7 +144,7 @@ Json lifeAsJson(const CellLife& life, const Tree& tree) {
 struct LineageOptions {
   std::string file, run, picture, cell;
   std::optional<Colouring> colour;
-  std::optional<PictureSize> size;
+  FigureOptions figure;
   bool labels = false;
   InputOptions input;
   OutputOptions output;
@@ -164,7 +164,7 @@ void draw(const Tree& tree, const LineageOptions& options) {
   TreePicture picture = lineagePictureOf(tree.results.lineage, describe, tree.end, scenario, tree.results.experiments);
   if (options.colour) colourTree(picture, tree.results, *options.colour, scenario);
   picture.labelsAll = options.labels;
-  if (options.size) picture.width = options.size->width, picture.height = options.size->height;
+  options.figure.both().set(picture, figureText);
   writePicture(drawLineage(picture), options.picture);
 }
 
@@ -249,8 +249,7 @@ void addLineage(CLI::App& app, Action& action) {
       "Colour of branches, as render takes it: substance, clone, clone:N, generation, or a measure of cells, such "
       "as volume; default: substance");
   verb.takes("--labels", options.labels, "Name all leaves, however many there are");
-  verb.takes("--size", options.size, "WxH", pictureSize(64, 16384),
-             "Width and height in pixels; default: what suits the number of leaves");
+  addFigure(verb, options.figure, 64, 16384);
   verb.oneOf({"--cell", "--output"});
   verb.onlyWith({"--colour", "--labels", "--size"}, {"--output"});
   add(verb, options.input);

@@ -47,9 +47,9 @@ class Times : public Observer {
   double end_;
 };
 
-Image imageOf(const OrganismPicture& picture, PictureStyle style) {
-  if (style == PictureStyle::both) return drawSolidAndWireframe(picture);
-  return drawOrganism(picture, style == PictureStyle::wireframe ? Style::wireframe : Style::solid);
+Drawing drawingOf(const OrganismPicture& picture, PictureStyle style) {
+  if (style == PictureStyle::both) return organismDrawing(picture, {Style::solid, Style::wireframe});
+  return organismDrawing(picture, {style == PictureStyle::wireframe ? Style::wireframe : Style::solid});
 }
 
 std::vector<std::string> writeOrganism(const Pictures& pictures, const RenderOptions& options,
@@ -62,23 +62,23 @@ std::vector<std::string> writeOrganism(const Pictures& pictures, const RenderOpt
   }
   const std::size_t count = turned ? cameras.size() : pictures.size();
   const auto draw = [&](std::size_t i) {
-    if (!turned) return imageOf(pictures[i], options.style);
+    if (!turned) return drawingOf(pictures[i], options.style).pixels();
     turned->camera = cameras[i];
-    return imageOf(*turned, options.style);
+    return drawingOf(*turned, options.style).pixels();
   };
   if (isFilmName(file)) {
     writeFilm(count, draw, options.perSecond.value_or(25), file);
     return {file};
   }
   if (options.moves()) return writeSequence(count, draw, file);
-  writePicture(draw(0), file);
+  writePicture(drawingOf(pictures[0], options.style), file);
   return {file};
 }
 
 std::vector<std::string> drawTree(const World& world, const Scenario& scenario, const RenderOptions& options,
                                   const std::string& file) {
   auto tree = lineagePictureOf(world, scenario);
-  if (options.size) tree.width = options.size->width, tree.height = options.size->height;
+  options.figure.both().set(tree, figureText);
   writePicture(drawLineage(tree), file);
   return {file};
 }

@@ -69,7 +69,9 @@ constexpr double maxSamples = 50e6;  // as in organism.h
 
 PictureWishes wishesOf(const RenderOptions& options) {
   PictureWishes wishes = options.wishes;
-  if (options.size) wishes.width = options.size->width, wishes.height = options.size->height;
+  FigureSize figure = options.figure.both();
+  if (figure.inPrint && options.style == PictureStyle::both) figure.width /= 2;
+  figure.set(wishes, dotsAsPixels, 1);
   if (const double samples = 1.0 * wishes.width * wishes.height * wishes.samples * wishes.samples;
       options.style != PictureStyle::lineage && samples > maxSamples)
     throw UsageError(
@@ -87,12 +89,12 @@ void checkOutput(const RenderOptions& options) {
   const auto refuse = [&](const std::string& why) {
     throw UsageError("--output: '" + options.output + "' ends in " + ending + why);
   };
-  const bool isDrawing = options.style == PictureStyle::lineage || !options.compared.empty(),
-             isFilm = isFilmName(options.output) && !isDrawing;
+  const bool isTree = options.style == PictureStyle::lineage || !options.compared.empty(),
+             isFilm = isFilmName(options.output) && !isTree, isOne = !options.moves() && options.beside.empty();
   if (options.perSecond && !isFilm)
     throw UsageError("--fps needs a film; leave it out, or give -o a name that ends in .mp4, .webm or .gif");
   if (!isFilm) try {
-      return checkPictureName("render", options.output, isDrawing);
+      return checkPictureName("render", options.output, isTree || isOne);
     } catch (const InputError& error) { throw UsageError(std::string("--output: ") + error.what()); }
   if (!options.moves())
     refuse(", a film, but there is one picture; needs --turntable N or --frames N, or a name that ends in .png");
@@ -112,8 +114,7 @@ void add(Verb& verb, RenderOptions& options) {
       "--view", wishes.camera, "VIEW", parseView,
       "Direction of view: front, back, left, right, top, bottom, iso, or azimuth and elevation in degrees: 30,20; "
       "default: from the front, a little from the right and above");
-  verb.takes("--size", options.size, "N|WxH", pictureSize(64, 8192),
-             "Width and height in pixels: 900 or 1920x1080; default: 900");
+  addFigure(verb, options.figure, 64, 8192);
   verb.takes("--supersample", wishes.samples, "N", natural(1, 4),
              "Samples along a pixel's side, 1 to 4: smoother edges");
   verb.takes(
@@ -153,8 +154,8 @@ void add(Verb& verb, RenderOptions& options) {
       "of trees)");
   verb.takes(
       "-o,--output", options.output, "FILE",
-      "File to write: .png (numbered if there are several), .mp4, .webm or .gif; a lineage or a difference also as "
-      ".svg or .pdf; default: the scenario's name");
+      "File to write: .png (numbered if there are several), .mp4, .webm or .gif; one picture also as .svg or .pdf, with "
+      "words as text; default: the scenario's name");
   add(verb, options.input);
   add(verb, options.execution);
   add(verb, options.messages);

@@ -15,7 +15,7 @@ struct RenderOptions {
   std::string compared;  // the picture that the picture `file` is compared with; "": the file is drawn
   PictureStyle style = PictureStyle::solid;
   std::optional<double> time;
-  std::optional<PictureSize> size;
+  FigureOptions figure;
   PictureWishes wishes;
   std::vector<std::vector<ForceKind>> forces;
   /// Number of pictures: of one time all around (turntable), or of so many times (frames). At most one is not 0.

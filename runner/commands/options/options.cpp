@@ -99,17 +99,60 @@ double readSize(const std::string& text) {
   return checked(text, size, "a size > 0, as 500M or 8G (10⁶ or 10⁹ bytes)", size.value > 0);
 }
 
-Reader<PictureSize> pictureSize(std::uint64_t low, std::uint64_t high) {
-  return [=](const std::string& text) {
-    const auto x = text.find('x');
-    const auto side = [&](const std::string& word) {
+namespace {
+
+constexpr double leastMillimetres = 20, mostMillimetres = 1000;
+
+/// Reads "85mm", "85mm×60mm", "1920x1080", or "900" for a square.
+FigureSize readFigureSize(const std::string& text, std::uint64_t low, std::uint64_t high, bool onlyWidth) {
+  std::string sides = text;
+  if (const auto times = sides.find("×"); times != sides.npos) sides.replace(times, std::string("×").size(), "x");
+  const auto x = sides.find('x');
+  const bool inPrint = sides.ends_with("mm");
+  const std::string allowed = onlyWidth
+                                  ? "the width alone, as 85mm, or 20 to 1000 mm, or "
+                                  : "85mm or 85mmx60mm, of 20 to 1000 mm, or WIDTHxHEIGHT, or N for a square, from ";
+  const std::string needed = allowed + std::to_string(low) + " to " + std::to_string(high) + " pixels";
+  const auto side = [&](std::string word) {
+    if (!inPrint) {
       const auto number = scenario::parseNatural(word);
-      const auto allowed =
-          "WIDTHxHEIGHT, or N for a square, from " + std::to_string(low) + " to " + std::to_string(high) + " pixels";
-      return static_cast<int>(checked(word, number, allowed, number.value >= low && number.value <= high));
-    };
-    return PictureSize{side(text.substr(0, x)), side(text.substr(x == text.npos ? 0 : x + 1))};
+      return double(checked(word, number, needed, number.value >= low && number.value <= high));
+    }
+    if (word.ends_with("mm")) word.resize(word.size() - 2);
+    const auto number = scenario::parseReal(word);
+    return checked(word, number, needed, number.value >= leastMillimetres && number.value <= mostMillimetres);
   };
+  if (onlyWidth && x != sides.npos) throw InputError("'" + text + "' has a height; needs " + needed);
+  FigureSize size{.width = side(sides.substr(0, x)), .inPrint = inPrint};
+  if (x != sides.npos) size.height = side(sides.substr(x + 1));
+  else if (!inPrint) size.height = size.width;
+  return size;
+}
+
+}  // namespace
+
+FigureSize FigureOptions::both() const {
+  FigureSize figure = size.value_or(FigureSize{});
+  figure.font = font;
+  return figure;
+}
+
+void addFigure(Verb& verb, FigureOptions& options, std::uint64_t low, std::uint64_t high, bool onlyWidth) {
+  const auto readSize = [=](const std::string& text) { return readFigureSize(text, low, high, onlyWidth); };
+  const auto readFont = [](std::string text) {
+    if (text.ends_with("pt")) text.resize(text.size() - 2);
+    const auto size = scenario::parseReal(text);
+    return checked(text, size, "a size from 4 to 72 points, as 7pt", size.value >= 4 && size.value <= 72);
+  };
+  verb.takes("--size", options.size, onlyWidth ? "WIDTH" : "SIZE", readSize,
+             onlyWidth
+                 ? "Width: 85mm in print, or 900 pixels; the height follows; default: what suits"
+                 : "Width and height: 85mm or 85mmx60mm in print, or pixels: 900 or 1920x1080; default: what suits");
+  verb.takes(
+      "--font", options.font, "SIZE", readFont,
+      "Size of ordinary text with --size, as 7pt; titles are larger by a seventh, numbers at axes smaller by one; default: 7pt "
+      "in print, otherwise what suits");
+  verb.onlyWith({"--font"}, {"--size"});
 }
 
 std::vector<std::uint64_t> readSeeds(const std::string& text) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/figure_size.h"
 #include "options/verb.h"
 #include "scenario/scenario.h"
 #include "simulation/simulation.h"
@@ -59,11 +60,15 @@ Reader<double> number(const scenario::Range& range);
 /// [byte] Reads "500M", "8G", "1.5G", "200000000".
 double readSize(const std::string& text);
 
-struct PictureSize {
-  int width, height;  // [pixel]
+/// The size of a figure and of its words, as all verbs take it that draw figures.
+struct FigureOptions {
+  std::optional<FigureSize> size;
+  std::optional<double> font;  // [point]
+  /// Returns both as one; without any what suits the figure.
+  FigureSize both() const;
 };
-/// Reads "1920x1080", or "900" for a square. Each side is in [low, high].
-Reader<PictureSize> pictureSize(std::uint64_t low, std::uint64_t high);
+/// Adds --size and --font. Sides in pixels are in [low, high]. `onlyWidth`: the height follows from what is drawn.
+void addFigure(Verb& verb, FigureOptions& options, std::uint64_t low, std::uint64_t high, bool onlyWidth = false);
 
 /// Reads "1..50": the numbers from 1 to 50.
 std::vector<std::uint64_t> readSeeds(const std::string& text);

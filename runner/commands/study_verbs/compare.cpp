@@ -14,6 +14,7 @@
 #include "options/exit_codes.h"
 #include "options/options.h"
 #include "options/verb.h"
+#include "organism/camera.h"
 #include "pictures/pictures.h"
 #include "study/plan.h"
 #include "study_verbs/study_verbs.h"
@@ -30,6 +31,8 @@ struct CompareCommand {
   CompareOptions options;
   bool csv = false;
   std::optional<TidyRows> tidy;
+  std::optional<Camera> view;
+  FigureOptions figure;
   OutputOptions output;
 };
 
@@ -44,7 +47,9 @@ int act(const CompareCommand& command) {
   const auto rises = [](const auto& list) {
     return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
   };
-  const GridMoments& moments = command.moments;
+  GridMoments moments = command.moments;
+  moments.figure = command.figure.both();
+  if (command.view) moments.camera = *command.view, moments.hasView = true;
   if (!rises(moments.times)) throw UsageError("--at-times: needs rising times, as 0.5,1,2");
   if (!rises(moments.cells)) throw UsageError("--at-cells: needs rising numbers of cells, as 4,16,64");
   const std::filesystem::path file = databaseOf(command.what[0]);
@@ -67,7 +72,9 @@ int act(const CompareCommand& command) {
   if (!command.intoGolden.empty()) writeIntoGoldens(comparison.results, command.options, file, command.intoGolden);
   std::vector<std::string> pictures;
   if (!command.picture.empty()) {
-    writePicture(drawSmallMultiples(stripsOf(comparison, unitsOf(comparison.results, file))), command.picture);
+    SmallMultiples strips = stripsOf(comparison, unitsOf(comparison.results, file));
+    moments.figure.set(strips, figureText);
+    writePicture(drawSmallMultiples(strips), command.picture);
     pictures.push_back(command.picture);
   }
   if (!command.organisms.empty()) {
@@ -131,16 +138,23 @@ void addCompare(CLI::App& app, Action& action) {
       "--colour", command.moments.colouring, "WHAT", parseColouring,
       "Colour of cells in --pictures, as render takes it: substance, clone, clone:N, generation, or a measure of cells; "
       "default: substance");
+  verb.takes(
+      "--view", command.view, "VIEW", parseView,
+      "Direction of view in --pictures, as render takes it: front, iso, or azimuth and elevation in degrees: 30,20");
+  verb.takes("--labels", command.moments.labels, "WHAT", parseChoice<Labels>,
+             "Labels of the cells in --pictures: name or path");
+  addFigure(verb, command.figure, 200, 8192, true);
   verb.takes("--moments", command.moments.count, "N", natural(1, maxGridColumns),
              "Number of moments, evenly from the start to the end; 1: the end of each; default: 5");
   verb.takes("--at-times", command.moments.times, "TIME,...", number(scenario::notNegative), "Draw these times");
   verb.takes("--at-cells", command.moments.cells, "N,...", natural(1, 1'000'000),
              "Draw the moments at which so many cells first live");
   verb.oneOf({"--moments", "--at-times", "--at-cells"});
-  verb.onlyWith({"--moments", "--at-times", "--at-cells", "--colour"}, {"--pictures"});
+  verb.onlyWith({"--moments", "--at-times", "--at-cells", "--colour", "--view", "--labels"}, {"--pictures"});
   verb.takes("--tidy", command.tidy, "ROWS", parseChoice<TidyRows>,
              "The values alone as CSV with the labels of all axes, for pandas or R: one a line, of runs or "
              "of their cells");
+  verb.onlyWith({"--size"}, {"--output", "--pictures"});
   verb.oneOf({"--csv", "--json", "--tidy"});
   verb.takes("--into-golden", command.intoGolden, "SCENARIO,...",
              "Also write the differences of the first level of --by into the golden of this scenario, which "

@@ -8,7 +8,7 @@ void addStudy(CLI::App& app, Action& action) {
   // The verbs in the order of their use.
   for (AddVerb* add : {addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge}) add(study, action);
   addAlias(study, "compare");
-  for (AddVerb* add : {addStudyCheck, addStudyEmit}) add(study, action);
+  for (AddVerb* add : {addStudyCheck, addStudyExport, addStudyReplay, addStudyEmit}) add(study, action);
 }
 
 void add(Verb& verb, StudyOptions& options) {

@@ -36,10 +36,8 @@ CheckReport reportOf(const Study& study, const std::vector<ClaimFinding>& findin
 }
 
 Json toJson(const Study& study, const std::vector<ClaimFinding>& findings, const StudyState& state) {
-  Json claims = Json::array();
-  for (const ClaimFinding& f : findings)
-    claims.push_back({{"claim", f.claim}, {"holds", f.holds}, {"found", f.found}, {"line", f.place.line}});
-  Json json{{"study", study.name}, {"missing", state.counts.of(ResultState::missing)}, {"claims", claims}};
+  Json json{
+      {"study", study.name}, {"missing", state.counts.of(ResultState::missing)}, {"claims", claimsJson(findings)}};
   json.update(toJson(state));
   return json;
 }

@@ -8,7 +8,8 @@ namespace morula::cli {
 AddVerb addStudy, addCompare;
 
 // Verbs below `study`.
-AddVerb addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addStudyEmit, addStudyCheck;
+AddVerb addStudyPlan, addStudyRun, addStudyStatus, addStudyMerge, addStudyEmit, addStudyCheck, addStudyExport,
+    addStudyReplay;
 
 /// Options of all verbs that work on a study's folder.
 struct StudyOptions {

@@ -219,8 +219,7 @@ std::vector<NamedTable> csvTables(Store& store, const std::string& id, const std
   const Names names = namesOfCells(store, id);
   for (const SqlTable* t : allTables()) {
     if (!*t->info.csv || !isWanted(t->info.csv)) continue;
-    const auto columns = store.columns(
-        t->info.name);  // an existing table is written even without rows, for scripts
+    const auto columns = store.columns(t->info.name);  // an existing table is written even without rows, for scripts
     if (!columns.empty()) tables.push_back({t->info.csv, plainTable(store, *t, id, columns, names)});
   }
   for (const auto& [file, scope] : ofScopes)

@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
+#include "export/zip.h"
 #include "files/bytes.h"
 #include "observation/measures.h"
 
@@ -31,7 +32,7 @@ class NpzWriter {
   void add(const std::string& name, const std::vector<std::string>& texts);
 
   /// Returns the file's bytes. Throws FileError for more than 4 GB, the limit of such a zip.
-  std::string file() const;
+  std::string file() const { return zipOf(files_, "give --time, or use --format vtk"); }
 
  private:
   void addArray(const std::string& name, const std::string& type, const std::vector<std::size_t>& shape,
@@ -57,22 +58,6 @@ std::string shapeText(const std::vector<std::size_t>& shape) {
   if (shape.size() > 1) text.resize(text.size() - 2);
   else text.resize(text.size() - 1);  // a shape of one axis ends in a comma: (3,)
   return text + ")";
-}
-
-/// Returns the checksum of zip files: CRC-32 with the polynomial 0xedb88320.
-std::uint32_t crc32Of(const std::string& bytes) {
-  static const auto table = [] {
-    std::array<std::uint32_t, 256> t{};
-    for (std::uint32_t i = 0; i < 256; ++i) {
-      std::uint32_t c = i;
-      for (int bit = 0; bit < 8; ++bit) c = (c >> 1) ^ ((c & 1) != 0 ? 0xedb88320u : 0u);
-      t[i] = c;
-    }
-    return t;
-  }();
-  std::uint32_t c = 0xffffffff;
-  for (const char b : bytes) c = table[(c ^ static_cast<std::uint8_t>(b)) & 0xff] ^ (c >> 8);
-  return ~c;
 }
 
 template <class Number>
@@ -107,41 +92,6 @@ void NpzWriter::addArray(const std::string& name, const std::string& type, const
   put8(file, 1), put8(file, 0);
   put16(file, static_cast<std::uint16_t>(header.size()));
   files_.emplace_back(name + ".npy", file + header + bytes);
-}
-
-std::string NpzWriter::file() const {
-  constexpr std::uint16_t version = 20,
-                          day = 1 << 5 | 1;  // zip 2.0; a fixed date, so that the same run gives the same bytes
-  const auto common = [&](std::string& out, const std::string& name, const std::string& bytes) {
-    put16(out, version), put16(out, 0), put16(out, 0);  // no flags, no compression
-    put16(out, 0), put16(out, day);
-    put32(out, crc32Of(bytes));
-    put32(out, static_cast<std::uint32_t>(bytes.size())), put32(out, static_cast<std::uint32_t>(bytes.size()));
-    put16(out, static_cast<std::uint16_t>(name.size())), put16(out, 0);
-  };
-  std::string out, directory;
-  for (const auto& [name, bytes] : files_) {
-    if (out.size() + bytes.size() > 4'000'000'000)
-      throw FileError("npz: more than 4 GB of arrays, which one file cannot hold; give --time, or use --format vtk");
-    const auto offset = static_cast<std::uint32_t>(out.size());
-    put32(directory, std::uint32_t{0x02014b50});
-    put16(directory, version);
-    common(directory, name, bytes);
-    put16(directory, 0), put16(directory, 0), put16(directory, 0);  // no comment, one disk, no kind
-    put32(directory, std::uint32_t{0}), put32(directory, offset);
-    directory += name;
-    put32(out, std::uint32_t{0x04034b50});
-    common(out, name, bytes);
-    out += name + bytes;
-  }
-  const auto begin = static_cast<std::uint32_t>(out.size()), size = static_cast<std::uint32_t>(directory.size());
-  const auto count = static_cast<std::uint16_t>(files_.size());
-  out += directory;
-  put32(out, std::uint32_t{0x06054b50});
-  put16(out, 0), put16(out, 0), put16(out, count), put16(out, count);
-  put32(out, size), put32(out, begin);
-  put16(out, 0);
-  return out;
 }
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();

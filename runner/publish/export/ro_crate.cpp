@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <vector>
 
 #include "base/did_you_mean.h"
 #include "base/error.h"
+#include "base/hash.h"
 #include "files/folders.h"
 #include "files/printable.h"
 #include "files/read_file.h"
@@ -72,6 +74,7 @@ std::string probablyMeant(const std::string& word) {
 
 const std::string profile = "https://w3id.org/ro/wfrun/process/0.5";
 constexpr std::uint64_t maxCopied = std::uint64_t{1} << 30;
+const std::string metadata = "ro-crate-metadata.json";
 const std::string action = "#run", instrument = "#morula", agentName = "#agent";
 
 Json reference(const std::string& id) { return {{"@id", id}}; }
@@ -97,7 +100,19 @@ std::string encodingFormat(const fs::path& file) {
   if (kind == ".png") return "image/png";
   if (kind == ".obj") return "model/obj";
   if (kind == ".diff") return "text/x-diff";
+  if (kind == ".csv") return "text/csv";
+  if (kind == ".svg") return "image/svg+xml";
+  if (kind == ".html") return "text/html";
+  if (kind == ".md") return "text/markdown";
+  if (kind == ".bib") return "application/x-bibtex";
   return "text/plain";
+}
+
+/// Returns "xxh3-128:" and 32 hexadecimal digits.
+std::string identifierOf(const fs::path& file) {
+  Hasher hasher;
+  readPieces(file, [&](std::string_view piece) { hasher.addPiece(piece); });
+  return "xxh3-128:" + hasher.digest().text();
 }
 
 void put(const CrateFile& file, const fs::path& folder) {
@@ -166,7 +181,8 @@ void addProgram(Graph& graph, const StoredRun& run, const Json& about) {
 Json addConditions(Graph& graph, const StoredRun& run) {
   Json conditions = Json::array();
   eachFieldOf(run, [&](const RunField& field, const std::string& value) {
-    if (field.part == RunPart::environment) conditions.push_back(graph.addValue("environment", field.label, value));
+    if (field.part == RunPart::environment && !value.empty())
+      conditions.push_back(graph.addValue("environment", field.label, value));
   });
   return conditions;
 }
@@ -177,19 +193,18 @@ const char* actionStatus(RunStatus status) {
   return "http://schema.org/FailedActionStatus";
 }
 
-Json describeAction(const CrateRun& crate) {
-  const StoredRun& run = crate.run;
+Json describeAction(const Crate& crate) {
+  const CrateAction& did = crate.action;
   Json json{{"@id", action},
             {"@type", "CreateAction"},
-            {"name", fmt::format("{}, seed {}", run.record.scenario, run.record.seed)},
-            {"description", run.record.command},
-            {"identifier", run.id},
+            {"name", did.name},
+            {"description", did.command},
+            {"identifier", did.identifier},
             {"instrument", reference(instrument)},
-            {"startTime", run.started},
-            {"actionStatus", actionStatus(run.status)}};
-  if (!run.ended.empty()) json["endTime"] = run.ended;
-  if (run.status == RunStatus::failed) json["error"] = run.failure;
-  if (run.status == RunStatus::killed) json["error"] = "stopped by a signal";
+            {"startTime", did.started},
+            {"actionStatus", actionStatus(did.status)}};
+  if (!did.ended.empty()) json["endTime"] = did.ended;
+  if (!did.error.empty()) json["error"] = did.error;
   if (!crate.agent.empty()) json["agent"] = reference(isUri(crate.agent) ? crate.agent : agentName);
   return json;
 }
@@ -200,20 +215,18 @@ Json describeFile(const CrateFile& file, const fs::path& folder) {
             {"name", fs::path(file.path).filename().string()},
             {"description", file.description},
             {"encodingFormat", encodingFormat(file.path)},
-            {"contentSize", std::to_string(fileSize(folder / file.path))}};
+            {"contentSize", std::to_string(fileSize(folder / file.path))},
+            {"identifier", identifierOf(folder / file.path)}};
   if (!file.alternateName.empty()) json["alternateName"] = file.alternateName;
   return json;
 }
 
-Json describeRoot(const CrateRun& crate, const Json& parts) {
-  const StoredRun& run = crate.run;
+Json describeRoot(const Crate& crate, const Json& parts) {
   Json root{{"@id", "./"},
             {"@type", "Dataset"},
             {"conformsTo", reference(profile)},
-            {"name", fmt::format("{}, seed {}: a run of Morula", run.record.scenario, run.record.seed)},
-            {"description", fmt::format("Run {} of the scenario {}: {}, {} cells at time {} after {} steps. State {}.",
-                                        run.id, run.record.scenario, name(run.status), run.cells, run.time, run.steps,
-                                        run.stateHash.empty() ? "unknown" : run.stateHash)},
+            {"name", crate.name},
+            {"description", crate.description},
             {"datePublished", utcNow()},
             {"mentions", reference(action)},
             {"hasPart", parts}};
@@ -223,10 +236,10 @@ Json describeRoot(const CrateRun& crate, const Json& parts) {
 
 }  // namespace
 
-void writeCrate(CrateRun crate, const fs::path& folder) {
+void writeCrate(Crate crate, const fs::path& folder) {
   giveEachItsPath(crate.files);
   Graph graph;
-  graph.add({{"@id", "ro-crate-metadata.json"},
+  graph.add({{"@id", metadata},
              {"@type", "CreativeWork"},
              {"conformsTo", reference("https://w3id.org/ro/crate/1.1")},
              {"about", reference("./")}});
@@ -243,8 +256,8 @@ void writeCrate(CrateRun crate, const fs::path& folder) {
   graph.add(describeRoot(crate, parts));
   graph.add({{"@id", profile}, {"@type", "CreativeWork"}, {"name", "Process Run Crate"}, {"version", "0.5"}});
   addProgram(graph, crate.run, about);
-  objects.push_back(graph.addValue("parameter", "seed", std::to_string(crate.run.record.seed)));
-  results.push_back(graph.addValue("result", "state hash", crate.run.stateHash));
+  for (const auto& [name, value] : crate.action.parameters) objects.push_back(graph.addValue("parameter", name, value));
+  for (const auto& [name, value] : crate.action.results) results.push_back(graph.addValue("result", name, value));
   Json run = describeAction(crate);
   run["object"] = objects;
   run["result"] = results;
@@ -258,8 +271,29 @@ void writeCrate(CrateRun crate, const fs::path& folder) {
   const Json document{
       {"@context", {"https://w3id.org/ro/crate/1.1/context", "https://w3id.org/ro/terms/workflow-run/context"}},
       {"@graph", graph.entities()}};
-  const fs::path file = folder / "ro-crate-metadata.json";
-  writeNewFile(file, printable(jsonText(document, 2)) + "\n");
+  writeNewFile(folder / metadata, printable(jsonText(document, 2)) + "\n");
+}
+
+std::vector<std::string> changedFiles(const fs::path& crate) {
+  std::map<std::string, std::string> identifiers;  // by id
+  try {
+    const Json document = parseJson(readFile(crate / metadata));
+    for (const Json& entity : document.at("@graph"))
+      if (entity.at("@type") == "File") identifiers[entity.at("@id")] = entity.at("identifier");
+  } catch (const Json::exception&) {
+    throw FileError("'" + (crate / metadata).string() + "' is no crate of `morula study export`; make it anew");
+  }
+  std::vector<std::string> lines;
+  for (const fs::path& file : everyFileBelow(crate)) {
+    const std::string path = file.lexically_relative(crate).generic_string();
+    if (path == metadata) continue;
+    const auto known = identifiers.find(uri(path));
+    if (known == identifiers.end()) lines.push_back(path + ": not in " + metadata);
+    else if (known->second != identifierOf(file)) lines.push_back(path + ": changed since the crate was made");
+    if (known != identifiers.end()) identifiers.erase(known);
+  }
+  for (const auto& [id, identifier] : identifiers) lines.push_back(id + ": missing");
+  return lines;
 }
 
 std::string licenseUri(const std::string& license) {

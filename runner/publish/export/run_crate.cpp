@@ -1,5 +1,7 @@
 #include "export/run_crate.h"
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "files/content.h"
 #include "files/folders.h"
@@ -24,16 +26,9 @@ CrateFile crateFile(const SourceText& d) {
     return made("faces/" + safeName(d.path, "mesh") + ".bin", Role::about,
                 "Faces of the surfaces in run.db: three corners a face, little-endian, 16 bits each up to 65536 "
                 "vertices, else 32");
-  const char* what = d.role == "dna"         ? "The genes that the scenario names"
-                     : d.role == "mesh"      ? "The egg's mesh that the scenario names"
-                     : d.role == "shell"     ? "The egg shell's mesh that the scenario names"
-                     : d.role == "cells"     ? "The table of cells that the scenario begins with"
-                     : d.role == "names"     ? "The names of cells that the scenario names"
-                     : d.role == "reference" ? "Reference with which the scenario compares the organism"
-                                             : "The scenario as it was read";
   // Role and path come from the database, which may be a stranger's, so they are made safe.
   const std::string role = safeName(d.role, "document");
-  return {role + "/" + safeName(d.path, role), Role::object, what, d.path, d.content};
+  return {role + "/" + safeName(d.path, role), Role::object, describeRole(d.role), d.path, d.content};
 }
 
 /// Adds the run's golden file, if it lies below the current folder. The database names the scenario's place, and must
@@ -68,8 +63,36 @@ void addPictures(std::vector<CrateFile>& files, const fs::path& folder) {
 
 }  // namespace
 
-CrateRun crateOf(Store& store, const StoredRun& run, const std::string& pictures, const fs::path& folder) {
-  CrateRun crate{run, "", "", {}};
+const char* describeRole(const std::string& role) {
+  return role == "dna"         ? "The genes that the scenario names"
+         : role == "mesh"      ? "The egg's mesh that the scenario names"
+         : role == "shell"     ? "The egg shell's mesh that the scenario names"
+         : role == "cells"     ? "The table of cells that the scenario begins with"
+         : role == "names"     ? "The names of cells that the scenario names"
+         : role == "reference" ? "Reference with which the scenario compares the organism"
+                               : "The scenario as it was read";
+}
+
+Crate crateOf(Store& store, const StoredRun& run, const std::string& pictures, const fs::path& folder) {
+  Crate crate{.name = fmt::format("{}, seed {}: a run of Morula", run.record.scenario, run.record.seed),
+              .description = fmt::format("Run {} of the scenario {}: {}, {} cells at time {} after {} steps. State {}.",
+                                         run.id, run.record.scenario, name(run.status), run.cells, run.time, run.steps,
+                                         run.stateHash.empty() ? "unknown" : run.stateHash),
+              .run = run,
+              .action = {.name = fmt::format("{}, seed {}", run.record.scenario, run.record.seed),
+                         .identifier = run.id,
+                         .command = run.record.command,
+                         .started = run.started,
+                         .ended = run.ended,
+                         .status = run.status,
+                         .error = run.status == RunStatus::failed   ? run.failure
+                                  : run.status == RunStatus::killed ? "stopped by a signal"
+                                                                    : "",
+                         .parameters = {{"seed", std::to_string(run.record.seed)}},
+                         .results = {{"state hash", run.stateHash}}},
+              .agent = "",
+              .license = "",
+              .files = {}};
   for (const SourceText& document : store.documents(run.id)) crate.files.push_back(crateFile(document));
   addGolden(crate.files);
   if (!pictures.empty() && !isFolder(pictures)) throw FileError("'" + pictures + "': no such folder");

@@ -42,14 +42,6 @@ std::vector<LegendEntry> legendOf(const OrganismPicture& picture, const World& w
   return palette.legend();
 }
 
-void addLabels(OrganismPicture& picture, const World& world, const Scenario& scenario, Labels labels) {
-  for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
-    const CellPath& path = world.cells.path[i];
-    const std::string plain = path.isEgg() ? "egg" : path.text();
-    picture.labels.push_back({i, labels == Labels::name ? scenario.names.of(path).value_or(plain) : plain});
-  }
-}
-
 double longestOf(const std::vector<ForcesByKind>& forces, ForceKind kind) {
   double most = 0;
   for (const ForcesByKind& cell : forces)
@@ -58,6 +50,15 @@ double longestOf(const std::vector<ForcesByKind>& forces, ForceKind kind) {
 }
 
 }  // namespace
+
+void addLabels(OrganismPicture& picture, const World& world, const Scenario& scenario, Labels labels) {
+  if (labels == Labels::none) return;
+  for (std::size_t i = 0; i < world.cells.path.size(); ++i) {
+    const CellPath& path = world.cells.path[i];
+    const std::string plain = path.isEgg() ? "egg" : path.text();
+    picture.labels.push_back({i, labels == Labels::name ? scenario.names.of(path).value_or(plain) : plain});
+  }
+}
 
 Colour forceColour(ForceKind kind) {
   constexpr std::size_t series[] = {0, 1, 2, 3, 4, 6};  // [ForceKind] those that all eyes tell apart
@@ -97,6 +98,7 @@ void PictureMaker::add(const World& world) {
   OrganismPicture picture = pictureOf(world, scenario_);
   picture.camera = wishes_.camera;
   picture.width = wishes_.width, picture.height = wishes_.height, picture.samples = wishes_.samples;
+  picture.print = wishes_.print;
   picture.transparent = wishes_.transparent;
   picture.clip = wishes_.clip;
   picture.instruments.axes = wishes_.axes, picture.instruments.scaleBar = wishes_.scaleBar;
@@ -104,7 +106,7 @@ void PictureMaker::add(const World& world) {
     picture.instruments.lengthUnit = units.length, picture.instruments.perLength = units.perLength;
   setOpacities(picture, world, wishes_.opacities, opacityFits_);
   picture.legend = legendOf(picture, world, scenario_);
-  if (wishes_.labels != Labels::none) addLabels(picture, world, scenario_, wishes_.labels);
+  addLabels(picture, world, scenario_, wishes_.labels);
   values_.push_back(colourValues(world, wishes_.colouring, scenario_));
   if (wishes_.normals) {
     OrganismPicture cells = picture;

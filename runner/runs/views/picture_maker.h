@@ -26,6 +26,7 @@ struct PictureWishes {
   Colouring colouring;
   Camera camera;
   int width = 900, height = 900, samples = 2;  // as OrganismPicture
+  Print print = {};
   bool transparent = false;
   std::optional<ClipPlane> clip;
   bool normals = false, connections = false, axes = false, scaleBar = false;
@@ -74,6 +75,9 @@ class PictureMaker {
   std::vector<bool> opacityFits_;  // [of wishes_.opacities] a cell so far
   std::optional<World> scratch_;   // where forces are evaluated
 };
+
+/// Labels all cells of the world in its picture.
+void addLabels(OrganismPicture& picture, const World& world, const Scenario& scenario, Labels labels);
 
 /// Returns the colour of arrows for a kind of force.
 Colour forceColour(ForceKind kind);

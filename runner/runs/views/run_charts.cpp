@@ -11,6 +11,7 @@
 #include "document/words.h"
 #include "drawing/palette.h"
 #include "store/sample_values.h"
+#include "views/measure_bounds.h"
 
 namespace morula {
 namespace {
@@ -58,6 +59,8 @@ Chart seriesOf(const RunResults& results, const AskedMeasure& measure, const Sce
   chart.title = scenario.scene.name;
   chart.caption =
       fmt::format("{} {} over time, {}", name(measure.scope), title, counted(results.samples.size(), "sample"));
+  if (const std::string meaning = shortMeaningOf(measure); !meaning.empty()) chart.caption += ". " + meaning;
+  chart.yBounds = boundsOf(measure, unit.factor);
   chart.xLabel = timeLabel(scenario.units), chart.yLabel = title;
   chart.xScale = chart.yScale = Axis::Scale::linear;
   chart.dots = few && results.samples.size() <= 40;

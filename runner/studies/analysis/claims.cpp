@@ -135,6 +135,13 @@ std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& s
   return findings;
 }
 
+Json claimsJson(const std::vector<ClaimFinding>& findings) {
+  Json claims = Json::array();
+  for (const ClaimFinding& f : findings)
+    claims.push_back({{"claim", f.claim}, {"holds", f.holds}, {"found", f.found}, {"line", f.place.line}});
+  return claims;
+}
+
 Study plannedStudy(const std::filesystem::path& database) {
   Study study;
   readStoredPlan(database, [&](const Json& plan) {

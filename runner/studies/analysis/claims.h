@@ -22,6 +22,9 @@ struct ClaimFinding {
 /// margins wider than the range of all values of their measure, each with its place.
 std::vector<ClaimFinding> findClaims(const StudyResults& results, const Study& study);
 
+/// Returns [{"claim", "holds", "found", "line"}, …].
+Json claimsJson(const std::vector<ClaimFinding>& findings);
+
 /// Returns true if the results have the axes, labels and measures of the study's claims.
 bool canHold(const StudyResults& results, const Study& study);
 

@@ -59,6 +59,7 @@ class TileTaker : public Observer {
   }
   void take(const World& world, const std::string& words) {
     tiles_.push_back({{pictureOf(world, scenario_), false, words}, colourValues(world, moments_.colouring, scenario_)});
+    addLabels(tiles_.back().tile.picture, world, scenario_, moments_.labels);
   }
   std::vector<TakenTile>& tiles() { return tiles_; }
 
@@ -210,7 +211,7 @@ std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::files
   const bool spread = spreadsLastAxis(results, moments),
              ends = moments.count == 1 && moments.times.empty() && moments.cells.empty();
   std::optional<StoredPictures> stored;
-  if (ends && moments.colouring.by == Colouring::By::substance) stored = storedPictures(results, study);
+  if (ends && moments.isUsual()) stored = storedPictures(results, study);
   if (stored && !haveOneScale(results, stored->seed, study)) stored.reset();
   const std::size_t seed = stored ? stored->seed : commonSeed(results);
   OrganismGrid grid;
@@ -252,10 +253,14 @@ std::vector<Drawing> drawOrganisms(const StudyResults& results, const std::files
     all.insert(all.end(), tiles.begin(), tiles.end());
   }
   if (first) colourAlike(all, moments.colouring, *first, grid);
-  for (TakenTile& taken : all) grid.tiles.push_back(std::move(taken.tile));
+  for (TakenTile& taken : all) {
+    taken.tile.picture.camera = moments.camera;
+    grid.tiles.push_back(std::move(taken.tile));
+  }
   grid.title = results.name;
   grid.caption = results.seeds.empty() ? "" : fmt::format("seed {}", results.seeds[seed]);
   if (stored) grid.caption += ", stored pictures";
+  moments.figure.set(grid, organismGridText);
   return drawOrganismGrid(std::move(grid));
 }
 

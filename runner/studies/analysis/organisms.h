@@ -9,7 +9,7 @@
 #include "analysis/study_results.h"
 #include "drawing/drawing.h"
 #include "values/units.h"
-#include "views/cell_colours.h"
+#include "views/picture_maker.h"
 
 namespace morula {
 
@@ -19,6 +19,14 @@ struct GridMoments {
   std::vector<double> times;       // [time] rising
   std::vector<std::size_t> cells;  // rising numbers of cells; the moments at which so many first live
   Colouring colouring{};
+  Camera camera{};
+  bool hasView = false;  // the camera is another than the usual one
+  Labels labels = Labels::none;
+  FigureSize figure{};
+  /// Returns true if the pictures that a study keeps look as is wished.
+  bool isUsual() const {
+    return colouring.by == Colouring::By::substance && !hasView && labels == Labels::none && figure.width == 0;
+  }
 };
 
 /// Draws a row for each condition and a column for each moment, from runs with one seed: the first with which the most

@@ -8,6 +8,7 @@
 #include "charts/small_multiples.h"
 #include "drawing/palette.h"
 #include "files/text.h"
+#include "views/measure_bounds.h"
 
 namespace morula {
 namespace {
@@ -34,11 +35,20 @@ std::string labelOf(const StudyComparison& c, std::size_t condition) {
   return join(labels);
 }
 
+/// Adds what the measure means and can be.
+void describe(Panel& panel, const std::string& measure, double factor) {
+  const auto asked = findMeasure(measure);
+  if (!asked) return;
+  panel.meaning = shortMeaningOf(*asked);
+  panel.bounds = boundsOf(*asked, factor);
+}
+
 Panel stripsOf(const StudyComparison& c, std::size_t measure, const Units& units) {
   const std::string& name = c.measureName(measure);
   const double factor = shownUnit(units, unitOfMeasure(name)).factor;
   Panel panel{titleOfMeasure(name, units), {}, {}};
   panel.counts = factor == 1;
+  describe(panel, name, factor);
   std::map<std::string, std::vector<Strip>> byLabel;
   std::vector<std::string> order;  // labels in their order
   for (const ConditionSummary& s : c.conditions) {
@@ -62,9 +72,11 @@ Panel coursesOf(const StudyComparison& c, std::size_t measure, const Units& unit
   const std::string& name = c.measureName(measure);
   const double factor = shownUnit(units, unitOfMeasure(name)).factor, perTime = shownUnit(units, "time").factor;
   Panel panel{titleOfMeasure(name, units) + " over time", {}, {}, timeLabel(units)};
+  describe(panel, name, factor);
   for (const TimeCourse& course : c.courses) {
     if (course.measure != measure) continue;
-    PanelLine line{seriesColour(colourLevel(c, course.condition)), {}};
+    const std::size_t level = colourLevel(c, course.condition);
+    PanelLine line{.colour = seriesColour(level), .points = {}, .marker = seriesMarker(level)};
     for (const auto& p : course.points) {
       line.points.push_back({perTime * p.time, factor * p.mean});
       if (p.interval) line.intervals.push_back({factor * p.interval->low, factor * p.interval->high});

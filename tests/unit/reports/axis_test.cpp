@@ -51,6 +51,20 @@ TEST_CASE("places: ends at the ends, and the middle by the scale", "[axis]") {
   CHECK(Axis{.low = 3, .high = 3, .from = 7}.place(3) == 7);
 }
 
+TEST_CASE("an axis of a share ends at 0 and 1, unless its values lie beyond", "[axis]") {
+  const AxisBounds share{0, 1};
+  const auto ends = [&](double low, double high) {
+    const Range range = share.around({low, high}, 0.1);
+    return std::pair{range.low, range.high};
+  };
+  CHECK(ends(0.05, 1) == std::pair{0.0, 1.0});
+  CHECK(ends(0.3, 0.6) == std::pair{0.3 - 0.1, 0.6 + 0.1});
+  CHECK(ends(0, 1.25) == std::pair{0.0, 1.25});
+  CHECK(AxisBounds{}.around({0, 1}, 0.5).high == 1.5);
+  CHECK(share.clamped(-0.2) == 0);
+  CHECK(share.clamped(1.2) == 1);
+}
+
 TEST_CASE("a range is what was seen", "[axis]") {
   Range range;
   for (const double a : {3.0, -2.0, 1.0}) range.see(a);

@@ -176,14 +176,15 @@ TEST_CASE("equal drawings give equal files, which say that they are pictures", "
   }
 }
 
-TEST_CASE("SVG and PDF hold lines and no pixels, and no date", "[drawing]") {
+TEST_CASE("SVG and PDF hold lines and text and no pixels, and no date", "[drawing]") {
   const std::string svg = example().file(PictureFormat::svg), pdf = example().file(PictureFormat::pdf);
   CHECK(svg.find("width=\"200px\" height=\"100px\"") != svg.npos);
   CHECK(svg.find("<image") == svg.npos);
-  CHECK(svg.find("<b>") == svg.npos);  // words are shapes: they cannot become markup
+  CHECK(svg.find("<b>") == svg.npos);
+  CHECK(svg.find(">Morula &lt;b&gt;&amp;amp;</text>") != svg.npos);  // words do not become markup
   CHECK(svg.find("stroke-dasharray") != svg.npos);
   CHECK(svg.ends_with("</svg>\n"));
-  CHECK(pdf.find("/MediaBox [ 0 0 200 100 ]") != pdf.npos);
+  CHECK(pdf.find("/MediaBox [ 0 0 150 75 ]") != pdf.npos);
   CHECK(pdf.find("/Subtype /Image") == pdf.npos);
   CHECK(pdf.find("(Morula)") != pdf.npos);
   CHECK(pdf.find("Date") == pdf.npos);
@@ -192,8 +193,7 @@ TEST_CASE("SVG and PDF hold lines and no pixels, and no date", "[drawing]") {
 TEST_CASE("no mark goes on from the one before it", "[drawing]") {
   const auto lastPath = [](const Drawing& drawing) {
     const std::string svg = drawing.file(PictureFormat::svg);
-    const auto at = svg.rfind(" d=\"");
-    return svg.substr(at, svg.find('"', at + 4) - at);
+    return svg.substr(svg.rfind("<circle"));
   };
   Drawing alone(100, 100), after(100, 100);
   alone.disc({70, 70}, 5, black);

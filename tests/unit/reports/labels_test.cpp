@@ -86,7 +86,7 @@ TEST_CASE("hidden cells have no label, and the caption says so", "[labels]") {
   CHECK(one != none);
   p.labels.push_back({1, "behind"});
   const Image both = drawOrganism(p);
-  const Bands bands = bandsFor({p.title, p.caption, {}}, 300, 300);
+  const Bands bands = bandsFor({p.title, p.caption + ", 2 of them without a label (hidden, or no room)", {}}, 300, 300);
   REQUIRE(part(both, 0, bands.top, 300, 300 - bands.top) == part(one, 0, bands.top, 300, 300 - bands.top));
   CHECK(both != one);        // captions differ
   p.cells[0].opacity = 0.4;  // the hidden cell becomes visible

@@ -32,6 +32,17 @@ TEST_CASE("no two marks look alike, and all are about as large", "[marker]") {
   CHECK(!series.contains(Marker::cross));
 }
 
+TEST_CASE("a legend's entries keep their places when others come and go", "[marker]") {
+  const auto drawn = [](bool first) {
+    Drawing drawing(300, 100);
+    annotate(drawing, {"", "", {{red, "one of them", Marker::square, first}, {blue, "the other"}}});
+    return drawing.pixels();
+  };
+  const auto isBlue = [](Colour c) { return c == blue; };
+  CHECK(extentOf(drawn(true), isBlue).left == extentOf(drawn(false), isBlue).left);
+  CHECK(countPixels(drawn(false), red) == 0);
+}
+
 TEST_CASE("two lines of a chart differ in more than their colour", "[marker]") {
   const auto chartOf = [](bool first, bool dots) {
     // The line under test is dark and the chart's first or second; the other line is invisible.

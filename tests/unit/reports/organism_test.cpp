@@ -190,7 +190,7 @@ TEST_CASE("an empty organism is paper, with its shell if it has one", "[organism
 
 TEST_CASE("solid and wireframe stand side by side", "[organism]") {
   const OrganismPicture p = picture({ball("", {0, 0, 0}, 1, red)});
-  const Image both = drawSolidAndWireframe(p);
+  const Image both = organismDrawing(p, {Style::solid, Style::wireframe}).pixels();
   REQUIRE(both.width == 240);
   Drawing joined(240, 120);
   joined.image(0, 0, drawOrganism(p, Style::solid));
