@@ -163,7 +163,7 @@ void addProgram(Graph& graph, const StoredRun& run, const Json& about) {
   eachFieldOf(run, [&](const RunField& field, const std::string& value) {
     const std::string_view name = field.name;
     const bool isSaidBelow = name == "build_id" || name == "version" || name == "libraries";
-    if ((field.part == RunPart::program || field.part == RunPart::detail) && !isSaidBelow)
+    if ((field.part == RunPart::program || field.part == RunPart::detail) && !isSaidBelow && !value.empty())
       facts.push_back(graph.addValue("build", field.label, value));
   });
   Json program{{"@id", instrument},

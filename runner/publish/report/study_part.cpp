@@ -172,6 +172,8 @@ PagePart studyPart(const std::string& database) {
     findings.add(folded(title, Document().add(std::move(more))));
   }
   if (const std::string units = unitsInWords(shown); !units.empty()) findings.say(units);
+  findings.add(interactionTables(shown));
+  findings.heading("Measures").add(measureTable(shown));
   const std::string file = shellWord(database);
   part.change.push_back(
       {"findings", "Findings of the study", std::move(findings), {programWord() + " study compare " + file}});

@@ -36,6 +36,13 @@ constexpr std::array known{
 /// Returns "shell_share" for "shell_share of AAA*".
 std::string rowOf(const std::string& measure) { return measure.substr(0, measure.find(" of ")); }
 
+template <class Of>
+std::string meaningIn(const std::string& row) {
+  for (const Measure<Of>& m : measures<Of>())
+    if (row == m.name) return m.meaning;
+  return "";
+}
+
 }  // namespace
 
 MeasureWords wordsOfMeasure(const std::string& measure) {
@@ -56,6 +63,16 @@ std::string unitOfMeasure(const std::string& measure) {
   try {
     return readMeasure(measure, IfSeveral::first).unit;
   } catch (const InputError&) { return ""; }
+}
+
+std::string meaningOfMeasure(const std::string& measure) {
+  const auto asked = findMeasure(measure);
+  if (!asked) return "";
+  switch (asked->scope) {
+    case Scope::world: return meaningIn<Observation>(asked->row);
+    case Scope::cell: return meaningIn<CellContext>(asked->row);
+    default: return meaningIn<Touch>(asked->row);
+  }
 }
 
 std::string titleOfMeasure(const std::string& measure, const Units& units) {
