@@ -189,7 +189,7 @@ void measureSteepness(const Contacts& c, const Bodies& bodies, int threads, std:
 }
 
 void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
-  const BlockLists& lists = c.list.perBlock[block];
+  const BlockLists &lists = c.list.perBlock[block], &next = c.list.perBlock[(block + 1) % c.list.perBlock.size()];
   const BlockPlace& place = bodies.blocks[block];
   const std::int64_t count = std::ssize(lists.slices), lines = bodies.verticesPerLane(block);
   const bool onSurface = !c.scratch.empty(), sticks = c.parameters.adhesion.has_value();
@@ -200,6 +200,8 @@ void addContactForces(Contacts& c, Bodies& bodies, int block, double timeStep) {
                            .sag = &bodies.sag[std::size_t(block) * blockLanes],
                            .nextLine = place.firstLine + lines,
                            .linesPerSlice = count > 0 ? (lines + count - 1) / count : 0,
+                           .nextSlices = next.slices.data(),
+                           .nextIndices = next.indices.data(),
                            .mesh = bodies.meshAt(place.meshLevel).view(),
                            .liveLanes = place.liveLanes,
                            .firstVertex = place.firstLine * blockLanes,

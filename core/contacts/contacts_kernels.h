@@ -26,6 +26,8 @@ struct BlockSlices {
   const double *vertexMass, *sag;  // [lane]
   std::int64_t nextLine;           // first line of the next block (BlockPlace::firstLine), to prefetch it
   std::int64_t linesPerSlice;      // lines of the next block to prefetch with each slice
+  const NeighbourSlice* nextSlices;
+  const std::int32_t* nextIndices;  // of the next block, to prefetch them
   // For the pair law. Every law uses firstVertex, position and velocity to prefetch the next block.
   TemplateView mesh;
   int liveLanes;
