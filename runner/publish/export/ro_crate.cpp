@@ -302,7 +302,7 @@ std::string licenseUri(const std::string& license) {
     if (equalButForCase(id, license)) return "https://spdx.org/licenses/" + id;
   const std::string meant = probablyMeant(license);
   throw InputError("'" + license + "' is no SPDX identifier that is known here" +
-                   (meant.empty() ? "" : "; did you mean " + meant + "?") +
+                   (meant.empty() ? "." : "; did you mean " + meant + "?") +
                    " Give an identifier as CC-BY-4.0 or CC0-1.0, or the licence's address (https://…)");
 }
 

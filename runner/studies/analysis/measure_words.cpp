@@ -66,13 +66,11 @@ std::string unitOfMeasure(const std::string& measure) {
 }
 
 std::string meaningOfMeasure(const std::string& measure) {
-  const auto asked = findMeasure(measure);
-  if (!asked) return "";
-  switch (asked->scope) {
-    case Scope::world: return meaningIn<Observation>(asked->row);
-    case Scope::cell: return meaningIn<CellContext>(asked->row);
-    default: return meaningIn<Touch>(asked->row);
-  }
+  try {
+    const AskedMeasure asked = readMeasure(measure, IfSeveral::first);
+    if (asked.scope == Scope::cell) return meaningIn<CellContext>(asked.row);
+    return asked.scope == Scope::pair ? meaningIn<Touch>(asked.row) : meaningIn<Observation>(asked.row);
+  } catch (const InputError&) { return ""; }
 }
 
 std::string titleOfMeasure(const std::string& measure, const Units& units) {
