@@ -1,7 +1,7 @@
 #pragma once
 // A drawing keeps its lines, discs, words and pixels, and becomes pixels, PNG, SVG or PDF, by cairo. Coordinates are in
-// pixels from the top left corner, y downwards; pixel (0, 0) covers 0 to 1. A pixel is 1/96 inch on a screen and as large
-// as Print says on paper.
+// pixels from the top left corner, y downwards; pixel (0, 0) covers 0 to 1. A pixel is 1/96 inch on a screen and as
+// large as Print says on paper.
 #include <functional>
 #include <string>
 #include <string_view>

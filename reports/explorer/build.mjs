@@ -15,6 +15,7 @@ const common = {
   target: "es2021",
   format: "iife",
   charset: "ascii",
+  loader: { ".css": "text" },
   logLevel: "warning",
 };
 const program = async (of) => JSON.stringify((await build({ ...common, entryPoints: [join(here, of)], write: false })).outputFiles[0].text);

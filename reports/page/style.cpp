@@ -79,6 +79,10 @@ button, select, input { font: inherit; color: inherit; }
 .view canvas { display: block; touch-action: none; }
 .view .caption { position: absolute; left: .5rem; top: .35rem; right: .5rem; font-size: .8rem; pointer-events: none; overflow-wrap: anywhere; }
 .view .scale { position: absolute; left: .6rem; bottom: .5rem; font-size: .75rem; pointer-events: none; border-bottom: 2px solid currentColor; text-align: center; }
+.names { position: absolute; inset: 0; overflow: hidden; pointer-events: none; font-size: .72rem; }
+.names span { position: absolute; transform: translate(-50%, -50%); padding: 0 .2rem; border-radius: 3px; color: #1b1f24; background: #fafaf8cc; }
+figure .live, .measured .live { background: #fafaf8; color: #1b1f24; border-radius: 6px; padding: .4rem .3rem .1rem; }
+.live .note { color: #565d65; margin: 0 .4rem; min-height: 1.4em; font-variant-numeric: tabular-nums; }
 .view > img { width: 100%; height: 100%; object-fit: contain; }
 .bar { display: flex; align-items: center; gap: .4rem; font-size: .8rem; margin: .4rem 0; min-height: 1.3rem; flex-wrap: wrap; }
 .bar .ramp { width: 10rem; height: .8rem; border-radius: 3px; }
@@ -121,7 +125,9 @@ button, select, input { font: inherit; color: inherit; }
 .swipe { position: relative; display: block; max-width: 40rem; margin-bottom: 1rem; }
 .swipe img { display: block; width: 100%; border-radius: 6px; background: #fafaf8; }
 .swipe img.over { position: absolute; inset: 0; }
+@media screen { .alive img { display: none; } }
 @media (max-width: 760px) {
+  table { font-size: .8rem; } th, td { padding-right: .45rem; } thead th { white-space: normal; }
   header, main, footer { padding: 0 .6rem; } .large img { max-width: none; width: 52rem; } .double { grid-column: auto; } section { padding: .8rem .7rem; }
   .panes { grid-template-columns: minmax(0, 1fr); } .view { height: 21rem; } .tree { height: 20rem; }
   .clock { grid-template-columns: auto minmax(0, 1fr); } .clock output { grid-column: 1 / -1; }
@@ -133,7 +139,8 @@ button, select, input { font: inherit; color: inherit; }
     --good-back: #fff; --bad-back: #fff; --warn-back: #fff; }
   body { font-size: 10pt; } header, main, footer { max-width: none; padding: 0; }
   section { border: 0; padding: 0; margin: .8rem 0; } #verdict { padding-left: .6rem; }
-  .wide, .large { overflow: visible; } td, tbody th { overflow-wrap: anywhere; } thead th { white-space: normal; } table { font-size: 8pt; }
+  .wide, .large { overflow: visible; } thead th { white-space: normal; } table { font-size: 7pt; } th, td { padding-right: 5pt; }
+  #appendix { break-before: page; } figure .live, .names { display: none; }
   td.number { overflow-wrap: normal; } td code { min-width: 0; }
   .long { min-width: 0; } .compare { display: none; }
   .tools, .views, .clock, .tip, .downloads, .swipe-tools, #explorer .bar, #info { display: none !important; }

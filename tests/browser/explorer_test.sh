@@ -7,7 +7,8 @@ folder=$build/explorer
 cat >"$folder/tsconfig.json" <<END
 { "extends": "$source/reports/explorer/tsconfig.json",
   "compilerOptions": { "baseUrl": "$folder",
-    "paths": { "three": ["node_modules/@types/three"], "three/*": ["node_modules/@types/three/*"] } },
+    "paths": { "three": ["node_modules/@types/three"], "three/*": ["node_modules/@types/three/*"],
+      "uplot": ["node_modules/uplot/dist/uPlot.d.ts"] } },
   "include": ["$source/reports/explorer/src"] }
 END
 node "$folder/node_modules/typescript/bin/tsc" --noEmit --incremental --tsBuildInfoFile "$folder/types" -p "$folder/tsconfig.json"
@@ -55,7 +56,11 @@ measures: [sphericity]
 END
 printf 'variation: {cycle: 0.05, start: 0.01}\n' >>"$scratch/small.yaml"
 "$program" study run "$scratch/many.study.yaml" --out "$scratch/many" --no-predict --quiet >/dev/null
-page study 10 "$scratch/many"
+page study 11 "$scratch/many"
+
+"$program" export "$scratch/one.db" --format ply -o "$scratch/last.ply" --quiet >/dev/null
+node "$here/page_test.mjs" "$folder" "$scratch" "$source/reports/explorer/src" one.html "$scratch/last.ply"
+node "$here/page_test.mjs" "$folder" "$scratch" "$source/reports/explorer/src" study.html
 
 files="one.html check.html study.html"
 # The page of the largest run takes as long as all others together; MORULA_BROWSER_LARGE=1 includes it.

@@ -73,7 +73,7 @@ def compare(morula, database, folder, what, lines):
     figure = matplotlib.pyplot.figure(figsize=(width / 100, height / 100), dpi=100)
     plot = figure.add_axes([left / width, 1 - bottom / height, (right - left) / width, (bottom - top) / height])
     plot.set_xlim(min(times), max(times))
-    plot.set_ylim(min(values) - room, max(values) + room)
+    plot.set_ylim(max(0, min(values) - room), max(values) + room)  # no measure here is below 0
     plot.axis("off")
     for line in lines.values():
         plot.plot(*zip(*line), color="black", linewidth=2.2 * 0.72, solid_capstyle="round")

@@ -1,5 +1,7 @@
 // The page's data for the explorer, as runner/publish/report_data/explorer_data.cpp and frames.h write them.
+import type { Line } from "./live_chart";
 import { facesAcross } from "./occlusion";
+import { unpacked, type FrameHead } from "./packed";
 
 export type Fate = "alive" | "divided" | "died";
 
@@ -60,16 +62,6 @@ export function blankFrame(time: number, step: number, count: number, measures: 
   };
 }
 
-interface FrameHead {
-  time: number;
-  step: number;
-  cells: number;
-  contacts: number;
-  connections: number;
-  offset: number;
-  vertexForces: number;
-}
-
 /** Forces on the vertices of each cell, as runner/publish/report_data/frames.h writes them. */
 export class VertexForces {
   private readonly steps: Float32Array; // [i * kinds + k]
@@ -119,17 +111,20 @@ export class Run {
   readonly measures: string[];
   readonly forces: string[]; // all kinds
   readonly netForces: string[]; // kinds whose net force on a cell may differ from 0
-  readonly meshes: Uint32Array[];
-  readonly across: Uint32Array[]; // facesAcross of each mesh
-  readonly vertexCounts: number[];
+  readonly meshes: Uint32Array[] = [];
+  readonly across: Uint32Array[] = []; // facesAcross of each mesh
+  readonly vertexCounts: number[] = [];
   readonly shell: { axes?: number[]; vertices?: number[]; faces?: number[] } | null;
   readonly radius: number;
   readonly times: number[];
   private readonly heads: FrameHead[] = [];
-  private readonly bytes: ArrayBuffer;
+  private known: ArrayBuffer | null = null; // the frames, unpacked when one is first asked for
   private readonly kept = new Map<number, Frame>(); // the last few decoded frames
 
-  constructor(json: any, bytes: ArrayBuffer) {
+  constructor(
+    json: any,
+    private readonly packed: () => Uint8Array,
+  ) {
     this.title = json.title;
     this.scenario = json.scenario;
     this.end = json.end;
@@ -142,17 +137,24 @@ export class Run {
     this.netForces = json.netForces;
     this.shell = json.shell;
     this.radius = json.radius;
-    this.meshes = json.meshes.map((faces: number[]) => Uint32Array.from(faces));
-    this.across = this.meshes.map(facesAcross);
-    this.vertexCounts = this.meshes.map((faces) => faces.reduce((most, v) => Math.max(most, v), -1) + 1);
-    this.bytes = bytes;
+    for (const faces of json.meshes as Uint32Array[]) this.addMesh(faces);
     this.takeCells(json.cells);
     let offset = 0;
     for (const [time, step, cells, contacts, connections, size, vertexForces] of json.frames) {
-      this.heads.push({ time, step, cells, contacts, connections, offset, vertexForces });
+      this.heads.push({ time, step, cells, contacts, connections, offset, size, vertexForces });
       offset += size;
     }
     this.times = this.heads.map((head) => head.time);
+  }
+
+  protected addMesh(faces: Uint32Array): void {
+    this.meshes.push(faces);
+    this.across.push(facesAcross(faces));
+    this.vertexCounts.push(faces.reduce((most, v) => Math.max(most, v), -1) + 1);
+  }
+
+  private get bytes(): ArrayBuffer {
+    return (this.known ??= unpacked(this.packed(), this.heads, this));
   }
 
   /** Replaces the cells that ever lived. */
@@ -215,16 +217,16 @@ export class Run {
   valuesOf(number: number): Float32Array {
     const head = this.heads[number],
       m = this.measures.length,
-      words = 9 + m;
+      words = 7 + m;
     const reals = new Float32Array(this.bytes, head.offset, head.cells * words),
       values = new Float32Array(head.cells * m);
-    for (let i = 0; i < head.cells; ++i) values.set(reals.subarray(i * words + 9, (i + 1) * words), i * m);
+    for (let i = 0; i < head.cells; ++i) values.set(reals.subarray(i * words + 7, (i + 1) * words), i * m);
     return values;
   }
 
   private decode(head: FrameHead): Frame {
     const m = this.measures.length,
-      words = 9 + m;
+      words = 7 + m;
     const numbers = new Uint32Array(this.bytes, head.offset, head.cells * words);
     const reals = new Float32Array(this.bytes, head.offset, head.cells * words);
     const frame = blankFrame(head.time, head.step, head.cells, m);
@@ -233,7 +235,7 @@ export class Run {
       frame.cell[i] = numbers[at];
       frame.mesh[i] = numbers[at + 1];
       frame.state[i] = numbers[at + 2];
-      frame.values.set(reals.subarray(at + 9, at + words), i * m);
+      frame.values.set(reals.subarray(at + 7, at + words), i * m);
       frame.firstVertex[i + 1] = frame.firstVertex[i] + this.vertexCounts[frame.mesh[i]];
     }
     let place = head.offset + 4 * head.cells * words;
@@ -259,9 +261,9 @@ export class Run {
     frame.positions = new Float32Array(3 * vertices);
     for (let i = 0; i < head.cells; ++i) {
       const low = reals.subarray(i * words + 3, i * words + 6),
-        step = reals.subarray(i * words + 6, i * words + 9);
+        step = reals[i * words + 6];
       for (let k = 3 * frame.firstVertex[i]; k < 3 * frame.firstVertex[i + 1]; k += 3)
-        for (let axis = 0; axis < 3; ++axis) frame.positions[k + axis] = low[axis] + step[axis] * grid[k + axis];
+        for (let axis = 0; axis < 3; ++axis) frame.positions[k + axis] = low[axis] + step * grid[k + axis];
     }
     return frame;
   }
@@ -275,29 +277,31 @@ export interface Data {
   series: string[];
   clones: Record<string, string>; // by the path of the founder, or of a cell above founders
   forces: { name: string; colour: string; meaning: string }[]; // kinds
+  charts?: Record<string, [x: string, y: string, lines: Line[]]>; // by the ids of their pictures
 }
 
-function bytesOf(text: string): ArrayBuffer {
-  const binary = atob(text),
-    bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return bytes.buffer;
+/** Returns the bytes that the page's element holds in base64. */
+export function bytesOf(id: string): Uint8Array {
+  return Uint8Array.from(atob(document.getElementById(id)?.textContent ?? ""), (c) => c.charCodeAt(0));
 }
 
-const format = 3; // explorerFormat in runner/publish/report_data/explorer_data.cpp
+const format = 4; // explorerFormat in runner/publish/report_data/explorer_data.cpp
 
 /** Returns the page's data; null if a program with another format made the page. */
 export function readData(): Data | null {
   const json = JSON.parse(document.getElementById("data")!.textContent!);
   if (json.morula !== format) return null;
+  const meshes = json.meshes.map((faces: number[]) => Uint32Array.from(faces));
   return {
     units: json.units,
     scale: json.scale,
     series: json.series,
     clones: json.clones,
+    charts: json.charts,
     forces: json.forces.map(([name, colour, meaning]: string[]) => ({ name, colour, meaning })),
     runs: json.runs.map(
-      (run: any, i: number) => new Run(run, bytesOf(document.getElementById(`frames-${i}`)?.textContent ?? "")),
+      (run: any, i: number) =>
+        new Run({ ...run, meshes: run.meshes.map((k: number) => meshes[k]) }, () => bytesOf(`frames-${i}`)),
     ),
   };
 }

@@ -6,6 +6,7 @@ import { isWithin, numberText, readData, type Data, type Run } from "./data";
 import { standpoints } from "./eye";
 import { ForceKey } from "./force_key";
 import { Info } from "./info";
+import { setUpCharts } from "./live_chart";
 import { State, type Choice } from "./state";
 import { element, Tools } from "./tools";
 import { Tree } from "./tree";
@@ -14,6 +15,11 @@ import { View } from "./view";
 /** Returns the run to show beside the first: the other of two, else the next of the same scenario; -1: none. */
 function beside({ runs }: Data): number {
   return runs.length === 2 ? 1 : runs.findIndex((run, i) => i > 0 && run.scenario === runs[0].scenario);
+}
+
+/** Returns true if any scenario gives colours to substances or cells; else clones are the better colours. */
+function isColoured({ runs }: Data): boolean {
+  return runs.some((run) => run.legend.length > 0 || Object.keys(run.cellColours).length > 0);
 }
 
 export class Explorer {
@@ -40,7 +46,8 @@ export class Explorer {
       time: Math.max(data.runs[0].end, second > 0 ? data.runs[second].end : 0),
       selected: null,
       hovered: null,
-      colour: "substance",
+      colour: isColoured(data) ? "substance" : "clone",
+      names: data.runs[0].cells.length <= 64 && data.runs[0].cells.some((cell) => cell.name !== ""),
       scaleNow: false,
       surface: true,
       wireframe: false,
@@ -365,8 +372,10 @@ export class Explorer {
 const place = document.getElementById("explore");
 if (place && document.getElementById("data")) {
   const data = readData();
-  if (data) new Explorer(place, data);
-  else
+  if (data) {
+    new Explorer(place, data);
+    setUpCharts(data);
+  } else
     place.textContent =
       "The program that made this page and its explorer are of two versions; ./morula report makes both anew.";
 }

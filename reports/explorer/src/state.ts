@@ -6,6 +6,7 @@ export interface Choice {
   hovered: string | null;
   scaleNow: boolean; // a measure's colours span the present values, not those of all times
   colour: string; // "substance", "generation", "clone" or a measure
+  names: boolean;
   surface: boolean;
   wireframe: boolean;
   normals: boolean;

@@ -54,7 +54,7 @@ export class Tools {
   }
 
   private toggle(
-    key: "scaleNow" | "surface" | "wireframe" | "normals" | "connections" | "forces" | "shell",
+    key: "scaleNow" | "names" | "surface" | "wireframe" | "normals" | "connections" | "forces" | "shell",
     text: string,
   ): HTMLElement {
     const label = element("label"),
@@ -125,6 +125,7 @@ export class Tools {
     show();
     tools.append(now);
     tools.append(
+      this.toggle("names", "names"),
       this.toggle("surface", "surface"),
       this.toggle("wireframe", "wireframe"),
       this.toggle("normals", "normals"),

@@ -8,6 +8,9 @@ import { Marks } from "./marks";
 import { whatDraws } from "./shading";
 import type { State } from "./state";
 import { Surface } from "./surface";
+import { element } from "./tools";
+
+const maxNames = 100;
 
 export class View {
   readonly canvas: HTMLCanvasElement;
@@ -26,6 +29,8 @@ export class View {
   private frame = -1;
   private waiting = false;
   private drawn = false;
+  private readonly names = element("div", "names");
+  private naming = 0; // timer
   private gone = false; // a pending frame is not drawn any more
 
   constructor(
@@ -42,7 +47,8 @@ export class View {
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "img");
-    parent.append(this.canvas);
+    this.names.setAttribute("aria-hidden", "true");
+    parent.append(this.canvas, this.names);
     this.eye = new Eye(this.canvas, () => {
       this.draw();
       this.onCamera(this);
@@ -181,6 +187,34 @@ export class View {
     this.renderer.render(this.scene, this.eye.camera);
     if (!this.drawn) performance.mark("morula-first-frame");
     this.drawn = true;
+    this.names.replaceChildren();
+    clearTimeout(this.naming);
+    if (this.state.choice.names) this.naming = window.setTimeout(() => this.name(), 150); // when it comes to rest
+  }
+
+  /** Writes the names of cells whose middles are seen, the nearest first and none over another. */
+  private name(): void {
+    if (this.gone) return;
+    const { clientWidth: w, clientHeight: h } = this.canvas,
+      { frame, centres } = this.surface,
+      ray = new Raycaster(),
+      taken: DOMRect[] = [];
+    const middles = Array.from({ length: frame.count }, (_, i) => new Vector3().fromArray(centres, 3 * i));
+    const away = (i: number) => middles[i].distanceToSquared(this.eye.camera.position);
+    for (const i of middles.map((_, i) => i).sort((a, b) => away(a) - away(b)).slice(0, maxNames)) {
+      const at = middles[i].clone().project(this.eye.camera),
+        cell = this.run.cells[frame.cell[i]];
+      ray.setFromCamera(new Vector2(at.x, at.y), this.eye.camera);
+      if (!cell || this.surface.hit(ray, (point) => this.isThere(point)) !== i) continue;
+      const label = element("span", "", cell.label);
+      label.style.left = `${(0.5 + at.x / 2) * w}px`;
+      label.style.top = `${(0.5 - at.y / 2) * h}px`;
+      this.names.append(label);
+      const box = label.getBoundingClientRect();
+      if (taken.some((b) => b.left < box.right && box.left < b.right && b.top < box.bottom && box.top < b.bottom))
+        label.remove();
+      else taken.push(box);
+    }
   }
 
   dispose(): void {

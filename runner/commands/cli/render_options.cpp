@@ -154,8 +154,8 @@ void add(Verb& verb, RenderOptions& options) {
       "of trees)");
   verb.takes(
       "-o,--output", options.output, "FILE",
-      "File to write: .png (numbered if there are several), .mp4, .webm or .gif; one picture also as .svg or .pdf, with "
-      "words as text; default: the scenario's name");
+      "File to write: .png (numbered if there are several), .mp4, .webm or .gif; one picture also as .svg or .pdf; "
+      "default: the scenario's name");
   add(verb, options.input);
   add(verb, options.execution);
   add(verb, options.messages);

@@ -20,7 +20,7 @@ namespace {
 
 struct ReportOptions {
   ReportQuestion question;
-  double limit = 10e6;  // [byte]
+  double limit = 4e6;   // [byte]
   std::string output;
   bool noBullet = false;
   ExecutionOptions execution;
@@ -77,7 +77,7 @@ void addReport(CLI::App& app, Action& action) {
              "Number of shapes of each run, evenly over its time; 0: no shapes, and no run is repeated");
   verb.takes("--size-limit", options.limit, "SIZE", readSize,
              "Max size of the page; frames that do not fit are left out, and the page says so");
-  verb.showDefault("--size-limit", "10M");
+  verb.showDefault("--size-limit", "4M");
   verb.takes("--no-bullet", options.noBullet, "Do not run Bullet beside Morula for scenarios with check.bullet");
   verb.takes("--rerun", options.question.rerun,
              "Put the simulator into the page, so that its readers can repeat the run");

@@ -145,13 +145,12 @@ void addFigure(Verb& verb, FigureOptions& options, std::uint64_t low, std::uint6
     return checked(text, size, "a size from 4 to 72 points, as 7pt", size.value >= 4 && size.value <= 72);
   };
   verb.takes("--size", options.size, onlyWidth ? "WIDTH" : "SIZE", readSize,
-             onlyWidth
-                 ? "Width: 85mm in print, or 900 pixels; the height follows; default: what suits"
-                 : "Width and height: 85mm or 85mmx60mm in print, or pixels: 900 or 1920x1080; default: what suits");
-  verb.takes(
-      "--font", options.font, "SIZE", readFont,
-      "Size of ordinary text with --size, as 7pt; titles are larger by a seventh, numbers at axes smaller by one; default: 7pt "
-      "in print, otherwise what suits");
+             onlyWidth ? "Width: 85mm in print, or 900 pixels; the height follows; default: what suits"
+                       : "Width and height: 85mm or 85mmx60mm in print, or pixels: 900 or 1920x1080; default: what "
+                         "suits");
+  verb.takes("--font", options.font, "SIZE", readFont,
+             "Size of ordinary text with --size, as 7pt; titles are larger by a seventh, numbers at axes smaller by "
+             "one; default: 7pt in print, otherwise what suits");
   verb.onlyWith({"--font"}, {"--size"});
 }
 

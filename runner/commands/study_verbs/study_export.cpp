@@ -1,6 +1,4 @@
 // morula study export: one crate of a whole study, and its methods.
-#include <algorithm>
-
 #include "analysis/study_comparison.h"
 #include "analysis/study_state.h"
 #include "base/error.h"
@@ -35,10 +33,9 @@ struct ExportCommand {
   OutputOptions output;
 };
 
-/// Returns the merged study, whose runs all have a result. Throws InputError with the remedy otherwise.
-fs::path wholeStudy(const ExportCommand& command) {
+/// Throws InputError with the remedy unless the database is a merged study whose runs all have a result.
+void requireWhole(const fs::path& database, const ExportCommand& command) {
   const bool isFile = isStudyFile(command.study);
-  fs::path database = databaseOf(command.study, command.input.allowOutside);
   if (!isMergedStudy(database.string()))
     throw InputError("'" + database.string() + "' holds runs of no study; `" + programWord() + " export " +
                      shellWord(database.string()) + " --ro-crate FOLDER` makes a crate of one run, and `" +
@@ -57,7 +54,6 @@ fs::path wholeStudy(const ExportCommand& command) {
                      " runs have no result; compute them by `" + remedy + " --resume`, then export the study");
   if (const std::string counts = countsInWords(state); !counts.empty())
     tell(counts + '\n' + linesOf(state), command.output.quiet);
-  return database;
 }
 
 CrateFile pageOf(const fs::path& database, const ExportCommand& command) {
@@ -92,22 +88,26 @@ void write(const Crate& crate, const fs::path& target) {
 }
 
 int act(const ExportCommand& command) {
-  const fs::path database = wholeStudy(command);
+  const fs::path database = databaseOf(command.study, command.input.allowOutside);
+  const bool wantsCrate = !command.out.empty() || command.methods.empty();
+  const fs::path target = command.out.empty() ? database.parent_path() / "crate" : fs::path(command.out);
+  const fs::path text = command.methods, references = fs::path(text).replace_extension(".bib");
+  if (!text.empty() && text == references)
+    throw UsageError("--methods: needs a name that does not end in .bib, as methods.md");
+  if (!text.empty()) requireNewFile(text), requireNewFile(references);
+  if (wantsCrate && target.extension() == ".zip") requireNewFile(target);
+  else if (wantsCrate) requireAbsent(target);
+  requireWhole(database, command);
+
   std::vector<std::string> written;
-  if (!command.methods.empty()) {
+  Json json{{"study", readStudyResults(database).name}};
+  if (!text.empty()) {
     const Methods methods = methodsOf(compareStudy(readStudyResults(database), {}), database);
-    const fs::path text = command.methods, references = fs::path(text).replace_extension(".bib");
-    if (text == references) throw UsageError("--methods: needs a name that does not end in .bib, as methods.md");
-    for (const fs::path& file : {text, references}) requireNewFile(file);
     writeNewFile(text, methods.text);
     writeNewFile(references, methods.references);
     written = {text.string(), references.string()};
   }
-  Json json{{"study", readStudyResults(database).name}};
-  if (!command.out.empty() || command.methods.empty()) {
-    const fs::path target = command.out.empty() ? database.parent_path() / "crate" : fs::path(command.out);
-    if (target.extension() == ".zip") requireNewFile(target);
-    else requireAbsent(target);  // before pages are made
+  if (wantsCrate) {
     Crate crate = crateOfStudy(database);
     crate.agent = command.agent, crate.license = command.license;
     if (!command.noPage) crate.files.push_back(pageOf(database, command));

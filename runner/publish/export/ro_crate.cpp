@@ -163,7 +163,7 @@ void addProgram(Graph& graph, const StoredRun& run, const Json& about) {
   eachFieldOf(run, [&](const RunField& field, const std::string& value) {
     const std::string_view name = field.name;
     const bool isSaidBelow = name == "build_id" || name == "version" || name == "libraries";
-    if ((field.part == RunPart::program || field.part == RunPart::detail) && !isSaidBelow)
+    if ((field.part == RunPart::program || field.part == RunPart::detail) && !isSaidBelow && !value.empty())
       facts.push_back(graph.addValue("build", field.label, value));
   });
   Json program{{"@id", instrument},
@@ -302,7 +302,7 @@ std::string licenseUri(const std::string& license) {
     if (equalButForCase(id, license)) return "https://spdx.org/licenses/" + id;
   const std::string meant = probablyMeant(license);
   throw InputError("'" + license + "' is no SPDX identifier that is known here" +
-                   (meant.empty() ? "" : "; did you mean " + meant + "?") +
+                   (meant.empty() ? "." : "; did you mean " + meant + "?") +
                    " Give an identifier as CC-BY-4.0 or CC0-1.0, or the licence's address (https://…)");
 }
 

@@ -21,7 +21,7 @@ struct CrateFile {
   bool isThere = false;               // true: the file has been written already
 };
 
-/// What the program did.
+/// An action of the program: a run, or all runs of a study.
 struct CrateAction {
   std::string name, identifier, command;
   std::string started, ended;  // UTC; "" if unknown
@@ -47,7 +47,7 @@ void writeCrate(Crate crate, const std::filesystem::path& folder);
 /// is not listed. Throws FileError if the folder is no crate that writeCrate has made.
 std::vector<std::string> changedFiles(const std::filesystem::path& crate);
 
-/// What is told of a crate without a licence.
+/// The warning on a crate without a licence.
 inline constexpr const char* noLicence =
     "the crate names no licence, so strict readers of RO-Crate 1.1 reject it; name one, as in --license CC-BY-4.0";
 

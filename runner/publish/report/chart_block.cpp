@@ -1,12 +1,18 @@
 // Charts of runs: measures over time, contacts of cells, directions of divisions.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "analysis/measure_words.h"
 #include "base/error.h"
 #include "drawing/palette.h"
+#include "files/printable.h"
 #include "report/run_blocks.h"
+#include "system/json.h"
 #include "views/run_charts.h"
 
 namespace morula {
@@ -25,6 +31,34 @@ Chart timeChart(const std::string& title, const std::string& unit, const Units& 
   chart.dots = false;
   chart.width = width, chart.height = height;
   return chart;
+}
+
+/// Returns a chart's lines for the page's program (reports/explorer/src/live_chart.ts); "" if they are too many.
+std::string liveOf(const Chart& chart) {
+  constexpr std::size_t most = 20'000;  // points
+  std::string lines;
+  std::size_t count = 0;
+  for (const ChartLine& line : chart.lines) {
+    std::string xs, ys;
+    for (const Spot& point : line.points) {
+      fmt::format_to(std::back_inserter(xs), "{}{:.6g}", xs.empty() ? "" : ",", point.x);
+      fmt::format_to(std::back_inserter(ys), "{}{:.6g}", ys.empty() ? "" : ",", point.y);
+    }
+    count += line.points.size();
+    lines += fmt::format("{}[{},\"#{:02x}{:02x}{:02x}\",{},[{}],[{}]]", lines.empty() ? "" : ",",
+                         jsonText(printableLine(line.label)), line.colour.r, line.colour.g, line.colour.b, line.dashed,
+                         xs, ys);
+  }
+  if (count > most) return {};
+  return fmt::format("[{},{},[{}]]", jsonText(chart.xLabel), jsonText(chart.title), lines);
+}
+
+/// Gives a chart's picture an id, under which the page's program finds its lines.
+Picture& enliven(Picture& picture, const std::string& lines, Json& live) {
+  if (lines.empty()) return picture;
+  picture.id = "chart-" + std::to_string(live.size());
+  live[picture.id] = Json::parse(lines);
+  return picture;
 }
 
 /// Returns the number of cells over time, as steps at divisions and deaths.
@@ -94,11 +128,13 @@ std::vector<std::string> moreMeasures(const RunFacts& run) {
 }
 
 /// Adds charts as `morula chart` draws them, but smaller.
-void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>& commands) {
+void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>& commands, Json& live) {
+  std::string lines;  // of the chart that is drawn
   const auto add = [&](const std::string& what, const std::string& caption, const auto& draw) {
     try {
-      charts.add(
-          svgPicture(draw(), caption, caption, what == "divisions" ? Picture::Size::wide : Picture::Size::usual));
+      Picture picture =
+          svgPicture(draw(), caption, caption, what == "divisions" ? Picture::Size::wide : Picture::Size::usual);
+      charts.add(enliven(picture, std::exchange(lines, ""), live));
       const std::string quoted = what.find(' ') == what.npos ? what : "'" + what + "'";
       commands.push_back(commandFor(run, "chart", quoted));
     } catch (const InputError&) {  // the run has no data for this chart
@@ -115,6 +151,7 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
           const auto labelled = std::count_if(small.lines.begin(), small.lines.end(), [](const ChartLine& line) {
             return !line.label.empty() || !line.pointLabels.empty();
           });
+          lines = liveOf(small);
           for (ChartLine& line : small.lines)
             if (labelled > static_cast<long>(maxLabels)) line.label.clear(), line.pointLabels.clear();
           return drawChart(small);
@@ -139,17 +176,19 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
 
 }  // namespace
 
-PageSection chartSection(const std::vector<RunFacts>& runs) {
+PageSection chartSection(const std::vector<RunFacts>& runs, Json& live) {
   PageSection section{"charts", "Charts", {}};
   Document charts;
+  const auto add = [&](const Chart& chart, const std::string& what, const std::string& caption) {
+    Picture picture = svgPicture(drawChart(chart), what, caption);
+    charts.add(enliven(picture, liveOf(chart), live));
+  };
   const Units units = unitsOfAll(runs, [](const RunFacts& r) { return r.scenario.units; });
   const std::size_t count = std::min(runs.size(), maxLines);
   Chart cells = timeChart("Living cells", "", units);
   for (std::size_t i = 0; i < count; ++i) addLine(cells, i, count, cellsOverTime(runs[i]), units);
   if (!cells.lines.empty())
-    charts.add(svgPicture(drawChart(cells), "Living cells over time",
-                          "Number of living cells: each division adds one, "
-                          "each death takes one"));
+    add(cells, "Living cells over time", "Number of living cells: each division adds one, each death takes one");
   const auto measures = sampledMeasures<Observation>();
   for (std::size_t m = 0; m < measures.size(); ++m) {
     const std::string measure = measures[m].name;
@@ -158,10 +197,10 @@ PageSection chartSection(const std::vector<RunFacts>& runs) {
     Chart chart = timeChart(title, shownUnit(units, unit).name, units);
     for (std::size_t i = 0; i < count; ++i) addLine(chart, i, count, measureOverTime(runs[i], m), units, unit);
     if (chart.lines.empty()) continue;
-    charts.add(svgPicture(drawChart(chart), title + " over time", measures[m].meaning));
+    add(chart, title + " over time", measures[m].meaning);
     if (count == 1) section.commands.push_back(commandFor(runs[0], "chart", measure + " -o " + measure + ".svg"));
   }
-  if (count == 1) addOfOneRun(runs[0], charts, section.commands);
+  if (count == 1) addOfOneRun(runs[0], charts, section.commands, live);
   else section.body.add(keyOf(runs, count));
   section.body.add(Group{Group::Kind::charts, "", std::move(charts)});
   if (runs.size() > maxLines)

@@ -86,9 +86,15 @@ void exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Ex
 void exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Explored& explored) {
   // The rest of the page takes up to a third of it, and base64 takes 4 bytes for 3.
   const std::size_t room = question.maxBytes / 2;
-  const auto bytesOfLeast = [](const Frames& frames) {  // the last frame is larger by its forces on vertices
+  const auto bytesOfLeast = [](const Frames& frames) {
+    Frames least = frames;
     const std::size_t n = frames.frames.size();
-    return n == 0 ? 0 : bytesOf(frames) * std::min(minFrames, n) / n + frames.frames.back().bytes.size();
+    if (n > minFrames) {
+      least.frames.clear();
+      for (std::size_t k = 0; k < minFrames; ++k)
+        least.frames.push_back(frames.frames[k * (n - 1) / (minFrames - 1)]);
+    }
+    return packedFrames(least).size();
   };
   std::size_t taken = 0;
   for (const Frames* frames : explored.frames) taken += bytesOfLeast(*frames);

@@ -16,7 +16,8 @@ struct PagePart {
   Document verdict = {};
   std::vector<PageSection> change = {};  // sections on changes, before the pictures
   std::vector<PageSection> sections = {};
-  bool isAside = false;  // true: it belongs to another part; its sections' titles name their subject
+  Json charts = Json::object();  // lines of charts, which the page's program draws
+  bool isAside = false;          // true: it belongs to another part; its sections' titles name their subject
 };
 
 /// Makes the part on runs, with everything but their frames. Downloads take a tenth of `maxBytes`.

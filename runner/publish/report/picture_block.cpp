@@ -77,6 +77,8 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
   for (const RunFacts& r : runs)
     if (pictured.size() < maxPictured && canBeDrawn(r))
       pictured.push_back({&r, pictureOf(r.again->simulation.world, r.scenario)});
+  for (Pictured& p : pictured)  // a study's page has many organisms
+    if (!p.run->label.empty()) p.picture.width = p.picture.height = 600;
   overlay(pictured, section.body);
   Document pictures;
   const auto before = [&](const RunFacts& r) { return runs.size() > 1 ? titleOf(r) + ": " : ""; };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -160,8 +161,9 @@ std::string commandOf(const ReportQuestion& question) {
 }
 
 /// Fills the page: the verdict and the changes of each part, the explorer, and then the other sections of each part.
-/// Titles of sections name their part, unless all are from `one` source.
-void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector<PageSection>& explorer, Page& page) {
+/// Titles of sections name their part, unless all are from `one` source. With `appendix` long tables follow all others.
+void putTogether(const std::vector<PagePart>& parts, bool one, bool appendix, const std::vector<PageSection>& explorer,
+                 Page& page) {
   page.verdict.clear(), page.blocks.clear();
   std::map<std::string, int> known;  // number of uses of each id
   const auto add = [&](const PageSection& section, const std::string& part) {
@@ -177,8 +179,14 @@ void putTogether(const std::vector<PagePart>& parts, bool one, const std::vector
   for (const PagePart& part : parts)
     for (const PageSection& section : part.change) add(section, titleOf(part));
   for (const PageSection& section : explorer) add(section, "");
-  for (const PagePart& part : parts)
-    for (const PageSection& section : part.sections) add(section, titleOf(part));
+  static const std::set<std::string> lists{"comparison", "provenance", "parameters", "downloads"};
+  for (const bool last : {false, true}) {
+    if (last && appendix)
+      page.blocks.push_back({"appendix", "Appendix", htmlOf(Document().note("Tables, provenance and parameters.")), {}});
+    for (const PagePart& part : parts)
+      for (const PageSection& section : part.sections)
+        if ((appendix && lists.contains(section.id)) == last) add(section, titleOf(part));
+  }
 }
 
 /// Throws UsageError unless there is exactly one run, which a page can repeat.
@@ -255,8 +263,12 @@ ReportAnswer makeReport(const ReportQuestion& question) {
     std::vector<PageSection> explorer;
     if (!explored.runs.empty()) explorer.push_back(explorerSection(question, sources, facts, explored.runs));
     if (question.rerun) explorer.push_back(rerunSection(runs[0]));
-    putTogether(parts, one, explorer, page);
-    if (!page.program.empty()) page.data = jsonText(explorerData(explored.runs));
+    putTogether(parts, one, !sources.studies.empty(), explorer, page);
+    if (page.program.empty()) return;
+    Json data = explorerData(explored.runs);
+    for (const PagePart& part : parts)
+      if (!part.charts.empty()) data["charts"] = part.charts;
+    page.data = jsonText(data);
   };
   // Frames get the rest of the page's bytes; base64 takes 4 bytes for 3.
   if (question.rerun) page.bytes = rerunBytes(runs[0], question.module);

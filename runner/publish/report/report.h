@@ -14,7 +14,7 @@ struct ReportQuestion {
   std::string run;  // only the run of this id or beginning of one; of a study also "CONDITION, seed N"; "": all
   std::size_t explored = 24;          // max number of a study's runs that are shown in three dimensions, if they fit
   std::size_t frames = 100;           // frames of each run in three dimensions; 0: no run is simulated again
-  std::size_t maxBytes = 10'000'000;  // max size of the page
+  std::size_t maxBytes = 4'000'000;   // max size of the page
   std::string program;                // the explorer's program; "": without the explorer
   std::string whyNone;                // the reason for a missing explorer; plain text
   bool rerun = false;                 // true: the page also holds the simulator, and repeats its run

@@ -7,6 +7,7 @@
 #include "page/page.h"
 #include "report_data/run_facts.h"
 #include "report_data/run_words.h"
+#include "system/json.h"
 
 namespace morula {
 
@@ -18,8 +19,9 @@ Document changesOf(const std::vector<RunFacts>& runs);
 /// where programs run.
 PageSection pictureSection(const std::vector<RunFacts>& runs);
 /// Shows cells and measures over time, at most the first 24 runs in one chart; of one run also its contacts and the
-/// directions of its divisions.
-PageSection chartSection(const std::vector<RunFacts>& runs);
+/// directions of its divisions. Adds the lines of charts to `live`, by the ids of their pictures: x axis, y axis, lines
+/// [label, colour, whether dashed, x, y].
+PageSection chartSection(const std::vector<RunFacts>& runs, Json& live);
 /// Shows the origins of runs side by side, with their differences marked.
 PageSection provenanceSection(const std::vector<RunFacts>& runs);
 /// Shows the scenarios as they were read, and with all defaults filled in.

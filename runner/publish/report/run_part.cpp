@@ -285,7 +285,7 @@ PagePart runPart(const std::vector<RunFacts>& runs, std::size_t maxBytes) {
     part.change.push_back({"change", "What changed", std::move(changes)});
   if (PageSection bullet = bulletSection(runs); !bullet.body.empty()) part.sections.push_back(std::move(bullet));
   part.sections.push_back(pictureSection(runs));
-  part.sections.push_back(chartSection(runs));
+  part.sections.push_back(chartSection(runs, part.charts));
   if (Document against = againstOfAll(runs); !against.empty())
     part.sections.push_back({"against", "Measured places", std::move(against)});
   if (Document checks = checksOfAll(runs); !checks.empty()) {

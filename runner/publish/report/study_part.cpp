@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t maxDrawn = 12;      // max number of conditions with a run simulated again
 constexpr std::size_t maxShown = 24;      // max number of stored pictures
+constexpr std::size_t maxDownload = 100'000;  // [byte] the section's commands make larger files
 constexpr std::size_t maxSentences = 16;  // max number of sentences that are not folded
 
 Database openStudy(const std::string& file) {
@@ -172,6 +173,8 @@ PagePart studyPart(const std::string& database) {
     findings.add(folded(title, Document().add(std::move(more))));
   }
   if (const std::string units = unitsInWords(shown); !units.empty()) findings.say(units);
+  findings.add(interactionTables(shown));
+  findings.heading("Measures").add(measureTable(shown));
   const std::string file = shellWord(database);
   part.change.push_back(
       {"findings", "Findings of the study", std::move(findings), {programWord() + " study compare " + file}});
@@ -184,7 +187,7 @@ PagePart studyPart(const std::string& database) {
   for (Downloads::File file :
        {Downloads::File{"comparison.csv", "text/csv", toCsv(c)},
         Downloads::File{"comparison.json", "application/json", jsonText(toJson(c, shown.units), 1)}})
-    if (file.bytes.size() <= 1'000'000) downloads.files.push_back(std::move(file));
+    if (file.bytes.size() <= maxDownload) downloads.files.push_back(std::move(file));
   body.add(std::move(downloads));
   part.sections.push_back({"comparison",
                            "Comparison",

@@ -1,5 +1,6 @@
 #include "report_data/explorer_data.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "drawing/palette.h"
@@ -71,9 +72,10 @@ class States {
 };
 
 // Version of the explorer's data and of frames.h; the explorer rejects others (reports/explorer/src/data.ts).
-constexpr int explorerFormat = 3;
+constexpr int explorerFormat = 4;
 
-Json dataOf(const ExplorerRun& run) {
+/// `meshes`: the faces of the meshes of all runs, each once.
+Json dataOf(const ExplorerRun& run, std::vector<std::vector<Face>>& meshes) {
   Json json{
       {"title", printableLine(run.title)}, {"scenario", printableLine(run.scenario->scene.name)}, {"end", run.end}};
   States states(run);
@@ -96,7 +98,11 @@ Json dataOf(const ExplorerRun& run) {
   json["measures"] = run.frames->measures;
   for (const ForceKind kind : run.frames->forces) json["forces"].push_back(nameOf(kind));
   for (const ForceKind kind : kindsWithNetForce(run.frames->forces)) json["netForces"].push_back(nameOf(kind));
-  for (const auto& faces : run.frames->meshes) json["meshes"].push_back(flat(faces));
+  for (const auto& faces : run.frames->meshes) {
+    const auto known = std::ranges::find(meshes, faces);
+    json["meshes"].push_back(known - meshes.begin());
+    if (known == meshes.end()) meshes.push_back(faces);
+  }
   for (const Frame& f : run.frames->frames)
     json["frames"].push_back({f.time, f.step, f.cells, f.contacts, f.connections, f.bytes.size(), f.vertexForces});
   return json;
@@ -120,7 +126,10 @@ Json explorerData(const std::vector<ExplorerRun>& runs) {
   addPalette(json);
   for (const auto& kind : choices<ForceKind>)
     json["forces"].push_back({kind.name, hex(forceColour(kind.value)), kind.meaning});
-  for (const ExplorerRun& run : runs) json["runs"].push_back(dataOf(run));
+  std::vector<std::vector<Face>> meshes;
+  for (const ExplorerRun& run : runs) json["runs"].push_back(dataOf(run, meshes));
+  json["meshes"] = Json::array();
+  for (const auto& faces : meshes) json["meshes"].push_back(flat(faces));
   return json;
 }
 
@@ -128,8 +137,7 @@ std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs) {
   std::vector<PageBytes> all;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     PageBytes bytes{"frames-" + std::to_string(i), ""};
-    if (runs[i].frames)
-      for (const Frame& f : runs[i].frames->frames) bytes.bytes += f.bytes;
+    if (runs[i].frames && !runs[i].frames->frames.empty()) bytes.bytes = packedFrames(*runs[i].frames);
     all.push_back(std::move(bytes));
   }
   return all;

@@ -1,6 +1,7 @@
 #include "report_data/frames.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -36,26 +37,35 @@ double largest(const std::vector<Vector>& forces) {
   return most;
 }
 
-/// The box that holds a cell's vertices, and the distance of the 65536 places along each of its sides.
+/// The places over the box of a cell's vertices: multiples of a power of two.
 struct Grid {
-  std::array<float, 3> low, step;
+  std::array<double, 3> low;  // [step]
+  double step;
 
   explicit Grid(const std::vector<Point>& vertices) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      double least = HUGE_VAL, most = -HUGE_VAL;
-      for (const Point& p : vertices) {
-        const double x = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-        least = std::min(least, x), most = std::max(most, x);
+    std::array<double, 3> least{HUGE_VAL, HUGE_VAL, HUGE_VAL}, most{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (const Point& p : vertices)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double x = coordinate(p, axis);
+        least[axis] = std::min(least[axis], x), most[axis] = std::max(most[axis], x);
       }
-      low[axis] = static_cast<float>(least), step[axis] = static_cast<float>((most - least) / 65535);
-    }
+    const double side = std::max({most[0] - least[0], most[1] - least[1], most[2] - least[2]});
+    step = side > 0 ? std::ldexp(1, std::ilogb(side) - 10) : 1;  // 1024 to 2048 steps
+    for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = std::floor(least[axis] / step);
   }
 
-  std::uint16_t place(std::size_t axis, double x) const {
-    if (!(step[axis] > 0)) return 0;
-    return static_cast<std::uint16_t>(std::clamp(std::nearbyint((x - low[axis]) / step[axis]), 0.0, 65535.0));
+  static double coordinate(const Point& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+  std::uint16_t place(std::size_t axis, const Point& p) const {
+    return static_cast<std::uint16_t>(std::clamp(std::nearbyint(coordinate(p, axis) / step) - low[axis], 0.0, 65535.0));
   }
 };
+
+/// Adds the nearest float with 16 binary digits.
+void putShort(std::string& bytes, double value) {
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  put32(bytes, std::isfinite(value) ? (bits + 0x80) & ~std::uint32_t{0xff} : bits);
+}
 
 std::uint32_t numberAmong(const World& world, const CellPath& path) {
   return static_cast<std::uint32_t>(cellNumber(world.cells, path));
@@ -92,7 +102,7 @@ void putNetForces(std::string& bytes, const std::vector<ForcesByKind>& forces, s
   for (std::size_t i = 0; i < cells; ++i)
     for (const ForceKind kind : kinds) {
       const Vector net = i < forces.size() ? netForce(forces[i], kind) : Vector{none, none, none};
-      for (const double x : {net.x, net.y, net.z}) putFloat(bytes, x);
+      for (const double x : {net.x, net.y, net.z}) putShort(bytes, x);
     }
 }
 
@@ -168,17 +178,17 @@ void FrameTaker::take(const World& world) {
     put32(frame.bytes, world.cells.entry[i]);
     put32(frame.bytes, meshNumber(mesh.faces));
     put32(frame.bytes, stateNumber(world.cells.state[i]));
-    for (const float x : grid.low) putFloat(frame.bytes, x);
-    for (const float x : grid.step) putFloat(frame.bytes, x);
+    for (const double x : grid.low) putFloat(frame.bytes, x * grid.step);
+    putFloat(frame.bytes, grid.step);
     for (const auto& value : measured[i].values)
-      putFloat(frame.bytes, value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN());
+      putShort(frame.bytes, value.value_or(std::numeric_limits<double>::quiet_NaN()));
     for (const Point& p : mesh.vertices)
-      for (const std::uint16_t n : {grid.place(0, p.x), grid.place(1, p.y), grid.place(2, p.z)}) put16(places, n);
+      for (std::size_t axis = 0; axis < 3; ++axis) put16(places, grid.place(axis, p));
   }
   for (const ContactArea& contact : now.contacts()) {
     put32(frame.bytes, static_cast<std::uint32_t>(contact.a));
     put32(frame.bytes, static_cast<std::uint32_t>(contact.b));
-    putFloat(frame.bytes, contact.area);
+    putShort(frame.bytes, contact.area);
     ++frame.contacts;
   }
   if (world.connections)
@@ -207,28 +217,18 @@ Frames& FrameTaker::frames() {
   return frames_;
 }
 
-std::size_t bytesOf(const Frames& frames) {
-  std::size_t bytes = 0;
-  for (const Frame& frame : frames.frames) bytes += frame.bytes.size();
-  return bytes;
-}
-
 void thinFrames(Frames& frames, std::size_t maxBytes) {
-  auto& all = frames.frames;
-  // Returns frame k of the `count` that stay, spread evenly; a single one is the last.
-  const auto place = [&](std::size_t k, std::size_t count) {
-    return count < 2 ? all.size() - 1 : (k * (all.size() - 1) + (count - 1) / 2) / (count - 1);
-  };
-  std::size_t count = all.size();
-  for (; count > 0; --count) {
-    std::size_t bytes = 0;
-    for (std::size_t k = 0; k < count; ++k) bytes += all[place(k, count)].bytes.size();
-    if (bytes <= maxBytes) break;
+  const auto& all = frames.frames;
+  Frames kept = frames;
+  for (std::size_t count = all.size(), bytes = 0; count > 0; count = std::min(count - 1, count * maxBytes / bytes)) {
+    // Frames that stay are spread evenly; a single one is the last.
+    kept.frames.clear();
+    for (std::size_t k = 0; k < count; ++k)
+      kept.frames.push_back(all[count < 2 ? all.size() - 1 : (k * (all.size() - 1) + (count - 1) / 2) / (count - 1)]);
+    bytes = packedFrames(kept).size();
+    if (bytes <= maxBytes) return void(frames.frames = std::move(kept.frames));
   }
-  if (count == all.size()) return;
-  std::vector<Frame> kept;
-  for (std::size_t k = 0; k < count; ++k) kept.push_back(std::move(all[place(k, count)]));
-  all = std::move(kept);
+  frames.frames.clear();
 }
 
 }  // namespace morula

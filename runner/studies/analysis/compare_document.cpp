@@ -98,7 +98,21 @@ Document describe(const StudyComparison& c) {
   if (const auto verdicts = verdictsOf(c); !verdicts.empty())
     text.heading("Findings of the study").add(PlainList{{verdicts.begin(), verdicts.end()}});
   if (const std::string units = unitsInWords(c); !units.empty()) text.say(units);
+  text.add(interactionTables(c));
+  text.heading("Measures").add(measureTable(c));
   return text.add(comparedTables(c));
+}
+
+Table measureTable(const StudyComparison& c) {
+  const std::vector<FieldOf<std::string>> fields{
+      {{"measure", "", "measure"}, [](const std::string& m) { return m; }},
+      {{"name", "", "name"}, [](const std::string& m) { return wordsOfMeasure(m).noun; }},
+      {{"unit", "", ""}, [](const std::string& m) { return unitOfMeasure(m); }},
+      {{"", "", "unit"}, [&](const std::string& m) { return shownUnit(c.units, unitOfMeasure(m)).name; }},
+      {{"meaning", "", "meaning"}, [](const std::string& m) { return meaningOfMeasure(m); }}};
+  std::vector<std::string> names;
+  for (const std::size_t m : c.measures) names.push_back(c.measureName(m));
+  return tableOf("Measures", fields, names);
 }
 
 Document comparedTables(const StudyComparison& c) {
@@ -152,6 +166,8 @@ Json toJson(const StudyComparison& c, const Units& known) {
           {"seeds_change_nothing", seedless},
           {"one_path", onePaths},
           {"verdicts", verdictsOf(c)},
+          {"interactions", interactionsJson(c)},
+          {"measures", jsonOf(measureTable(c))},
           {"conditions", jsonOf(conditionTable(c, c.conditions))},
           {"pairs", jsonOf(pairTable(c, c.pairs))},
           {"split", jsonOf(pairTable(c, c.split))},

@@ -55,6 +55,14 @@ std::vector<std::size_t> comparedAxes(const StudyComparison& comparison);
 /// mean.
 void addIntervals(const StudyComparison& comparison, std::vector<std::string>& verdicts);
 
+/// Returns "0.62", or "below 0.001".
+std::string shareText(double share);
+/// Names the levels of `pairs` that differ: "every two" of several, or "1 and 3, 2 and 3"; "" if none is shown to.
+std::string levelsThatDiffer(const StudyComparison& comparison, const std::vector<const PairComparison*>& pairs);
+/// Returns [{"measure", "axis", "other", "eta_squared", …, "means": {level: {other level: mean}}, "levels_that_differ":
+/// {other level: …}, "others_that_differ": {level: …}}, …]: the tables of interactionTables.
+Json interactionsJson(const StudyComparison& comparison);
+
 /// Returns true if two conditions differ, by statistics or because both sides are known exactly.
 bool isDifferent(const PairComparison& pair);
 /// Returns " with connections: none" for the axes whose level is fixed; "" if none is.

@@ -36,6 +36,13 @@ constexpr std::array known{
 /// Returns "shell_share" for "shell_share of AAA*".
 std::string rowOf(const std::string& measure) { return measure.substr(0, measure.find(" of ")); }
 
+template <class Of>
+std::string meaningIn(const std::string& row) {
+  for (const Measure<Of>& m : measures<Of>())
+    if (row == m.name) return m.meaning;
+  return "";
+}
+
 }  // namespace
 
 MeasureWords wordsOfMeasure(const std::string& measure) {
@@ -55,6 +62,14 @@ MeasureWords wordsOfMeasure(const std::string& measure) {
 std::string unitOfMeasure(const std::string& measure) {
   try {
     return readMeasure(measure, IfSeveral::first).unit;
+  } catch (const InputError&) { return ""; }
+}
+
+std::string meaningOfMeasure(const std::string& measure) {
+  try {
+    const AskedMeasure asked = readMeasure(measure, IfSeveral::first);
+    if (asked.scope == Scope::cell) return meaningIn<CellContext>(asked.row);
+    return asked.scope == Scope::pair ? meaningIn<Touch>(asked.row) : meaningIn<Observation>(asked.row);
   } catch (const InputError&) { return ""; }
 }
 

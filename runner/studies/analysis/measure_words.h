@@ -23,6 +23,9 @@ MeasureWords wordsOfMeasure(const std::string& measure);
 /// Returns "length³"; "" for a pure number, and for a measure of no table.
 std::string unitOfMeasure(const std::string& measure);
 
+/// Returns the measure's definition in one line; "" for a count, a distance, a ratio or a difference.
+std::string meaningOfMeasure(const std::string& measure);
+
 /// Returns "Mean pressure [force/length²]" for "mean_pressure", a title for charts and tables.
 std::string titleOfMeasure(const std::string& measure, const Units& units = {});
 

@@ -139,6 +139,10 @@ std::vector<std::string> verdictsOf(const StudyComparison& comparison);
 /// Returns lines on runs that failed, are missing or are not sane, and on groups of conditions with the same runs.
 std::vector<std::string> troublesOf(const StudyResults& results);
 
+/// Returns a table for each two axes that interact: the means at all their levels, and which of them differ.
+Document interactionTables(const StudyComparison& comparison);
+/// Returns the table of the measures: key, name, unit and meaning.
+Table measureTable(const StudyComparison& comparison);
 /// Describe a comparison for people: as a whole, and its tables alone.
 Document describe(const StudyComparison& comparison);
 Document comparedTables(const StudyComparison& comparison);

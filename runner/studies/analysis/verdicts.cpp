@@ -156,9 +156,6 @@ void addMeasure(const StudyComparison& c, std::size_t measure, Verdicts& verdict
   }
 }
 
-/// Returns "0.62", or "below 0.001".
-std::string shareText(double share) { return share < 0.001 ? "below 0.001" : numberText(share, 2); }
-
 /// Returns "η² 0.62, partial η² 0.9, 95 % interval 0.7 to 0.95, p = 0.001 after Holm".
 std::string effectText(const MeasureEffects& effects, std::size_t effect) {
   const FactorEffect& e = effects.analysis.effects[effect];
@@ -169,69 +166,32 @@ std::string effectText(const MeasureEffects& effects, std::size_t effect) {
                      pText(effects.corrected[effect]));
 }
 
-/// Compares every two of some levels by `pairs`: "longest 0.742, random 0.794, x 0.922: every two differ". Returns ""
-/// if no two levels are shown to differ.
-std::string levelsThatDiffer(const StudyComparison& c, const std::vector<const PairComparison*>& pairs) {
-  std::map<std::size_t, double> means;
-  std::vector<std::string> differ, words;
-  for (const PairComparison* p : pairs) {
-    means[p->a] = p->meanA, means[p->b] = p->meanB;
-    if (isDifferent(*p)) differ.push_back(label(c, *p, p->a) + " and " + label(c, *p, p->b));
-  }
-  if (differ.empty()) return "";
-  for (const auto& [level, value] : means) words.push_back(label(c, *pairs[0], level) + " " + numberText(value, 3));
-  return join(words) + (pairs.size() == 1               ? ""
-                        : differ.size() == pairs.size() ? ": every two differ"
-                                                        : ": " + join(differ) + " differ");
-}
-
-/// Returns "a: its effect on volume depends on b (interaction, η² …): with b x: 1 10.1, 2 11; with b y, z: no
-/// difference is shown (95 % intervals within ±0.2)".
+/// Returns "a: its effect on volume depends on b (interaction, η² …)"; interactionTables gives it at each level of b.
 std::string interactionVerdict(const StudyComparison& c, std::size_t axis, const Interaction& interaction) {
-  const ResultAxis& other = c.results.axes[interaction.other];
-  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // text, and the levels that it describes
-  std::vector<std::string> silent;
-  double most = 0;
-  for (std::size_t l = 0; l < other.labels.size(); ++l) {
-    std::vector<const PairComparison*> pairs;
-    for (const PairComparison& p : c.split)
-      if (p.measure == interaction.of->measure && p.axis == axis && p.at[interaction.other] == l) pairs.push_back(&p);
-    if (pairs.empty()) continue;
-    const std::string text = levelsThatDiffer(c, pairs);
-    if (text.empty()) {
-      silent.push_back(other.labels[l]);
-      for (const PairComparison* p : pairs)
-        if (const auto& i = p->paired.interval) most = std::max({most, -i->low, i->high});
-    } else if (const auto same = std::ranges::find(said, text, [](const auto& s) { return s.first; });
-               same != said.end())
-      same->second.push_back(other.labels[l]);
-    else said.push_back({text, {other.labels[l]}});
-  }
-  if (!silent.empty())
-    said.push_back({"no difference is shown" +
-                        (most > 0 ? " (95 % intervals within ±" + numberText(most, 2) + ")" : std::string()),
-                    silent});
-  std::string line =
-      fmt::format("{}: its effect on {} depends on {} (interaction, {})", c.results.axes[axis].name,
-                  c.measureName(interaction.of->measure), other.name, effectText(*interaction.of, interaction.effect));
-  for (std::size_t i = 0; i < said.size(); ++i)
-    line += fmt::format("{} with {} {}: {}", i ? ";" : ":", other.name, join(said[i].second), said[i].first);
-  return line;
+  return fmt::format("{}: its effect on {} depends on {} (interaction, {})", c.results.axes[axis].name,
+                     c.measureName(interaction.of->measure), c.results.axes[interaction.other].name,
+                     effectText(*interaction.of, interaction.effect));
 }
 
 /// Returns "division: decides on clone_radius (η² 0.62, 95 % interval …): longest 0.742, random 0.794".
 std::string effectVerdict(const StudyComparison& c, const MeasureEffects& effects, std::size_t axis) {
   const ResultAxis& of = c.results.axes[effects.axes[axis]];
   std::vector<std::string> means;
-  for (std::size_t l = 0; l < of.labels.size(); ++l)
-    means.push_back(of.labels[l] + " " + numberText(effects.means[axis][l], 3));
   std::vector<const PairComparison*> pairs;
   for (const PairComparison& p : c.pairs)
     if (p.measure == effects.measure && p.axis == effects.axes[axis] && p.isOfMean()) pairs.push_back(&p);
-  std::string which = levelsThatDiffer(c, pairs);
-  if (which.empty()) which = join(means) + (pairs.size() > 1 ? ": no two of them are shown to differ" : "");
+  const std::string which = levelsThatDiffer(c, pairs);
+  // Pairs have the means of the seeds that they compare, the analysis those of the seeds with a value everywhere.
+  std::map<std::size_t, double> compared;
+  for (const PairComparison* p : pairs) compared[p->a] = p->meanA, compared[p->b] = p->meanB;
+  for (std::size_t l = 0; l < of.labels.size(); ++l)
+    means.push_back(of.labels[l] + " " +
+                    numberText(which.empty() || !compared.contains(l) ? effects.means[axis][l] : compared[l], 3));
+  const std::string ending = pairs.size() < 2 ? ""
+                             : which.empty()  ? ": no two of them are shown to differ"
+                                              : ": " + which + " differ";
   return fmt::format("{}: decides on {} ({}): {}", of.name, c.measureName(effects.measure), effectText(effects, axis),
-                     which);
+                     join(means) + ending);
 }
 
 /// Returns, for each axis, a line for each measure that it affects, and a line for all other measures. A single axis
@@ -308,6 +268,8 @@ void addCommonRandomNumbers(const StudyComparison& c, std::vector<std::string>& 
 }
 
 }  // namespace
+
+std::string shareText(double share) { return share < 0.001 ? "below 0.001" : numberText(share, 2); }
 
 bool isDifferent(const PairComparison& p) {
   const double size = std::max(std::abs(p.meanA), std::abs(p.meanB));

@@ -1,32 +1,23 @@
 // A chart of one measure of the organism over time, which grows with the run.
-import { shownText, type Data } from "../data";
-import { drawn, element } from "../tools";
+import type { Data } from "../data";
+import { LiveChart } from "../live_chart";
+import { element } from "../tools";
 import type { Measures } from "./talk";
-
-const width = 600,
-  height = 120;
 
 export class Chart {
   readonly box = element("div", "measured");
   private readonly choice = element("select");
-  private readonly line = drawn("polyline");
-  private readonly said = element("span", "note");
+  private readonly chart = new LiveChart(180);
   private times: number[] = [];
   private values: (number | null)[][] = [];
   private end: number | null = null;
-  units: Data["units"] = {};
+  private units: Data["units"] = {};
 
   constructor() {
     const label = element("label", "", "Over time ");
-    const picture = drawn("svg", {
-      viewBox: `0 0 ${width} ${height}`,
-      preserveAspectRatio: "none",
-      "aria-hidden": "true",
-    });
     this.choice.id = "measure";
     label.append(this.choice);
-    picture.append(this.line);
-    this.box.append(label, " ", this.said, picture);
+    this.box.append(label, this.chart.box);
     this.box.hidden = true;
     this.choice.addEventListener("change", () => this.draw());
   }
@@ -50,21 +41,24 @@ export class Chart {
 
   private draw(): void {
     const k = this.choice.selectedIndex,
-      known = this.times
-        .map((time, i): [number, number | null] => [time, this.values[i][k] ?? null])
-        .filter((p): p is [number, number] => p[1] !== null);
-    const low = Math.min(...known.map(([, y]) => y)),
-      high = Math.max(...known.map(([, y]) => y)),
-      last = this.end ?? (this.times[this.times.length - 1] || 1);
-    this.line.setAttribute(
-      "points",
-      known
-        .map(([x, y]) => `${(width * x) / (last || 1)},${height - 4 - ((height - 8) * (y - low)) / (high - low || 1)}`)
-        .join(" "),
+      measure = this.choice.value;
+    const unitOf = (what: string): [string, number] => this.units[what] ?? ["", 1],
+      titled = (what: string) => what + (unitOf(what)[0] && ` [${unitOf(what)[0]}]`);
+    const known = this.times.map((_, i) => i).filter((i) => this.values[i][k] != null),
+      perTime = unitOf("time")[1];
+    this.chart.show(
+      titled("time"),
+      known.length ? titled(measure) : `${measure}: not measured in this scenario`,
+      [
+        [
+          measure,
+          "#0b62b5",
+          false,
+          known.map((i) => perTime * this.times[i]),
+          known.map((i) => unitOf(measure)[1] * this.values[i][k]!),
+        ],
+      ],
+      perTime * (this.end ?? 0),
     );
-    const text = (y: number): string => shownText(this, this.choice.value, y);
-    this.said.textContent = known.length
-      ? `${text(known[known.length - 1][1])}, from ${text(low)} to ${text(high)}`
-      : "not measured in this scenario";
   }
 }

@@ -1,7 +1,6 @@
 // A run that grows while the explorer shows it.
 import { blankFrame, Run, type Cell, type Data, type Frame } from "../data";
 import { Explorer } from "../main";
-import { facesAcross } from "../occlusion";
 import type { Measures, Read, Snapshot } from "./talk";
 
 /** Returns the colour of the first substance with one, by its name or its longest prefix with a *; else grey. */
@@ -42,7 +41,7 @@ export class LiveRun extends Run {
         cells: [],
         frames: [],
       },
-      new ArrayBuffer(0),
+      () => new Uint8Array(0),
     );
     this.grown = this as unknown as typeof this.grown;
   }
@@ -81,9 +80,7 @@ export class LiveRun extends Run {
     for (const cell of this.cells) if (cell.fate === "alive") cell.ended = time;
     for (const [count, faces] of meshes) {
       this.meshOf.set(count, this.meshes.length);
-      this.meshes.push(Uint32Array.from(faces));
-      this.across.push(facesAcross(Uint32Array.from(faces)));
-      this.vertexCounts.push(count);
+      this.addMesh(Uint32Array.from(faces));
     }
     const m = this.measures.length,
       frame = blankFrame(time, step, cells.length, m);

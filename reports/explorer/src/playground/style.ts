@@ -21,7 +21,4 @@ export const style = `
   overflow-wrap: anywhere; }
 .tools a { margin-right: .6rem; }
 .measured select { background: var(--paper); border: 1px solid var(--line); border-radius: 5px; padding: .15rem .5rem; }
-.measured svg { display: block; width: 100%; height: 7rem; border: 1px solid var(--line); border-radius: 6px;
-  margin-top: .3rem; }
-.measured polyline { fill: none; stroke: var(--accent); stroke-width: 2; vector-effect: non-scaling-stroke; }
 `;

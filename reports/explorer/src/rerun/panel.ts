@@ -1,6 +1,6 @@
 // Repeats the page's run in this browser: a button, the progress, and a comparison with the stored bits. The explorer
 // shows the organism of the repeated run.
-import { Run } from "../data";
+import { bytesOf, Run } from "../data";
 import { element } from "../tools";
 import { start, whyNot, type News } from "./talk";
 
@@ -13,9 +13,6 @@ interface Stored {
   links: [number, string][]; // step and hash, rising
 }
 
-function bytesOf(id: string): Uint8Array {
-  return Uint8Array.from(atob(document.getElementById(id)?.textContent ?? ""), (c) => c.charCodeAt(0));
-}
 const textOf = (id: string) => new TextDecoder().decode(bytesOf(id));
 const counted = (n: number, what: string) => `${n} ${what}${n === 1 ? "" : "s"}`;
 
