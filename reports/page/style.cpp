@@ -39,7 +39,7 @@ ul.why { margin: .2rem 0 0; padding-left: 1.3rem; font-size: .88rem; }
 td .mark { white-space: nowrap; }
 .pictures img { max-height: 34rem; }
 .mark.good, td.good { color: var(--good); } .mark.bad, td.bad { color: var(--bad); } .mark.warn { color: var(--warn); }
-.wide { overflow-x: auto; max-width: 100%; }
+.wide { overflow-x: auto; max-width: 100%; } .wide > table { width: max-content; max-width: max(100%, 46rem); }
 table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; }
 caption { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 th, td { text-align: left; vertical-align: top; padding: .25rem .7rem .25rem 0; border-bottom: 1px solid var(--line); }
@@ -139,7 +139,7 @@ figure .live, .measured .live { background: #fafaf8; color: #1b1f24; border-radi
     --good-back: #fff; --bad-back: #fff; --warn-back: #fff; }
   body { font-size: 10pt; } header, main, footer { max-width: none; padding: 0; }
   section { border: 0; padding: 0; margin: .8rem 0; } #verdict { padding-left: .6rem; }
-  .wide, .large { overflow: visible; } thead th { white-space: normal; } table { font-size: 7pt; } th, td { padding-right: 5pt; }
+  .wide, .large { overflow: visible; } thead th { white-space: normal; } .wide > table { width: auto; max-width: 100%; font-size: 7pt; } th, td { padding-right: 5pt; }
   #appendix { break-before: page; } figure .live, .names { display: none; }
   td.number { overflow-wrap: normal; } td code { min-width: 0; }
   .long { min-width: 0; } .compare { display: none; }

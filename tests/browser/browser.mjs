@@ -28,7 +28,7 @@ export async function open(browser, name, size = { width: 1000, height: 700 }, h
   page.on("pageerror", (e) => check(`${name}: no error in the program`, false, e.message));
   page.on("request", (r) => check(`${name}: no request leaves the page`, r.url().split("#")[0] === url || r.url().startsWith("data:") || r.url().startsWith("blob:"), r.url()));
   await page.setViewport(size);
-  await page.goto(url + hash, { waitUntil: "load" });
+  await page.goto(url + hash, { waitUntil: "load", timeout: 300_000 });
   return page;
 }
 

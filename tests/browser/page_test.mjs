@@ -38,8 +38,8 @@ function vertices() {
     place += 6 * count;
   }
   check("the page has every exported vertex", at === exact.length, `${at} ${exact.length}`);
-  // Tolerance: half a step, and the rounding of exported places to floats, 2^-24 of a place of less than 4096 steps.
-  check("decoded vertices lie within half a step of the exported ones", worst <= 0.501, worst);
+  // Tolerance: half a step; an export's half of a 65535th of a box of at most 2048 steps; floats, 2^-24 of a place.
+  check("decoded vertices lie within half a step of the exported ones", worst <= 0.5 + 1024 / 65535 + 0.001, worst);
 }
 if (surfaces) vertices();
 else check(`${file} shows 24 runs, each at eleven times or more`, data.runs.length === 24 && data.runs.every((run) => run.frames.length >= 11), data.runs.map((run) => run.frames.length));

@@ -7,7 +7,9 @@ import { element } from "./tools";
 export type Line = [label: string, colour: string, isDashed: boolean, xs: number[], ys: number[]];
 
 const ink = "#1b1f24",
-  grid = { stroke: "#d9d9d4", width: 1 };
+  grid = { stroke: "#d9d9d4", width: 1 },
+  font = '11px "DejaVu Sans", sans-serif',
+  axis = { stroke: ink, grid, ticks: grid, font, labelFont: font };
 let styled = false;
 
 export class LiveChart {
@@ -43,8 +45,8 @@ export class LiveChart {
         cursor: { points: { show: lines.length <= 12 } },
         scales: { x: { time: false, range: (_, low, high) => [low, Math.max(high, end)] } },
         axes: [
-          { label: x, stroke: ink, grid, ticks: grid },
-          { label: y, stroke: ink, grid, ticks: grid, size: 60 },
+          { label: x, labelSize: 22, ...axis },
+          { label: y, labelSize: 22, size: 56, ...axis },
         ],
         series: [
           {},

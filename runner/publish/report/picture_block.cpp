@@ -6,6 +6,7 @@
 #include "pictures/pictures.h"
 #include "report/run_blocks.h"
 #include "report_data/run_words.h"
+#include "views/cell_colours.h"
 
 namespace morula {
 namespace {
@@ -46,6 +47,16 @@ bool canBeDrawn(const RunFacts& facts) {
   return true;
 }
 
+/// Returns the organism in the colours of its scenario, or of clones if the scenario gives none.
+OrganismPicture colouredPicture(const RunFacts& facts) {
+  const World& world = facts.again->simulation.world;
+  std::vector<OrganismPicture> pictures{pictureOf(world, facts.scenario)};
+  const Colouring clones{.by = Colouring::By::clone};
+  if (pictures[0].legend.empty())
+    colourCells(pictures, {colourValues(world, clones, facts.scenario)}, clones, facts.scenario);
+  return pictures[0];
+}
+
 struct Pictured {
   const RunFacts* run;
   OrganismPicture picture;
@@ -76,7 +87,7 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
   std::vector<Pictured> pictured;
   for (const RunFacts& r : runs)
     if (pictured.size() < maxPictured && canBeDrawn(r))
-      pictured.push_back({&r, pictureOf(r.again->simulation.world, r.scenario)});
+      pictured.push_back({&r, colouredPicture(r)});
   for (Pictured& p : pictured)  // a study's page has many organisms
     if (!p.run->label.empty()) p.picture.width = p.picture.height = 600;
   overlay(pictured, section.body);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/error.h"
 #include "contacts/contacts.h"
@@ -215,6 +216,11 @@ Frames& FrameTaker::frames() {
     lastForces_.clear();
   }
   return frames_;
+}
+
+void dropVertexForces(Frames& frames) {
+  for (Frame& frame : frames.frames)
+    if (frame.vertexForces) frame.bytes.resize(std::exchange(frame.vertexForces, 0));
 }
 
 void thinFrames(Frames& frames, std::size_t maxBytes) {

@@ -102,6 +102,9 @@ class FrameTaker : public Observer {
   std::vector<ForcesByKind> lastForces_;  // forces in the last frame; empty: unknown, or not on vertices
 };
 
+/// Leaves out the forces on vertices, which are larger than ten frames; cells keep their net forces.
+void dropVertexForces(Frames& frames);
+
 /// Packs the bytes of all frames with zlib, to about a quarter; reports/explorer/src/packed.ts unpacks them. In this
 /// order: the 4-byte numbers of all frames, each table column by column, first the lowest bytes of all numbers, then the
 /// next ones; the places of all vertices, likewise, each as its difference from the vertex's place in the frame before
