@@ -57,7 +57,7 @@ void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces
 ///   zeros until the length is a multiple of 4.
 /// The error of a position is at most half a step, which is at most the longest side of the cell's box over 2048. A step
 /// is a power of two, so that it seldom changes from one frame to the next. Measures, areas and net forces are rounded
-/// to 16 binary digits, a relative error of 2^-17.
+/// to 16 binary digits, a relative error of 2^-16.
 /// The last frame of cells with vertices ends, from `vertexForces` on, with the forces on vertices [putVertexForces].
 struct Frame {
   double time = 0;  // [time]
