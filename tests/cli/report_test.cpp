@@ -153,7 +153,7 @@ TEST_CASE("Any condition and seed of a study can be explored, as many as asked f
   const std::set<std::string> first(all.begin(), all.begin() + 2);
   CHECK(first.contains("much, seed 1"));  // compared with little or some, which hardly differ
   CHECK(titles({"--explore", "5"}).size() == 5);
-  CHECK(titles({"--size-limit", "20k"}).size() < 9);
+  CHECK(titles({"--size-limit", "10k"}).size() < 9);
 }
 
 TEST_CASE("A page is written over no page of others") {

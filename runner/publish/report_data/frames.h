@@ -105,7 +105,7 @@ class FrameTaker : public Observer {
 /// Leaves out the forces on vertices, which are larger than ten frames; cells keep their net forces.
 void dropVertexForces(Frames& frames);
 
-/// Packs the bytes of all frames with zlib, to about a quarter; reports/explorer/src/packed.ts unpacks them. In this
+/// Packs the bytes of all frames with zlib, to about half; reports/explorer/src/packed.ts unpacks them. In this
 /// order: the 4-byte numbers of all frames, each table column by column, first the lowest bytes of all numbers, then the
 /// next ones; the places of all vertices, likewise, each as its difference from the vertex's place in the frame before
 /// or, of a new cell, from the vertex before (-1, 1, -2, … as 1, 2, 3, …); the forces on vertices.

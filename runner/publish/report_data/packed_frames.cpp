@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
+#include <new>
 #include <vector>
 
 #include "files/bytes.h"
@@ -50,9 +50,10 @@ void addPlaces(Planes<std::uint16_t>& places, const Shape& now, const Shape& bef
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
+  // The bound on the size excludes every failure but one for want of memory.
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
                 bytes.size(), Z_BEST_COMPRESSION) != Z_OK)
-    throw std::length_error("the frames of a page are too large for zlib");
+    throw std::bad_alloc();
   packed.resize(size);
   return packed;
 }
