@@ -47,7 +47,7 @@ thead th { color: var(--quiet); font-weight: normal; white-space: nowrap; }
 tbody th { font-weight: normal; }
 td { overflow-wrap: break-word; max-width: 34rem; } .long, td code { overflow-wrap: anywhere; }
 .long { display: inline-block; min-width: 10rem; } td code { display: inline-block; min-width: 8rem; }
-td.number { white-space: nowrap; overflow-wrap: normal; }
+td.number, .whole { white-space: nowrap; overflow-wrap: normal; }
 tr.differs td { background: var(--warn-back); }
 pre { margin: .4rem 0; padding: .6rem .7rem; overflow: auto; max-height: 26rem; background: var(--paper); border: 1px solid var(--line);
   border-radius: 5px; font: .8rem/1.45 "DejaVu Sans Mono", monospace; white-space: pre-wrap; overflow-wrap: anywhere; }

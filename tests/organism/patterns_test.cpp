@@ -98,7 +98,7 @@ TEST_CASE("spiral cleavage in the mirror is that of a left-handed snail") {
   const auto apart = [&] { return difference(runToEnd(scene), runToEnd(mirror(scene, Axis::y)), Axis::y); };
   CHECK(apart() < 1e-4);  // rounding grows to 6e-6 in the packing of 16 cells
   scene.stop.time = 8;    // four cells
-  CHECK(apart() < 1e-6);  // rounding grows to 2e-8 among four cells, which are damped little
+  CHECK(apart() < 1e-9);
 }
 
 TEST_CASE("Volvox: 16 gonidia, larger than any other cell") {

@@ -98,9 +98,9 @@ class Writer {
     text += e_.areSpheres ? "  cell: {model: sphere, radius: " + rounded(e_.egg) + ", mass: 1}\n"
                           : "  mesh: {icosphere: 2}\n"
                             "  cell: {radius: 1, mass: 1}\n"
-                            "  membrane: {stiffness: 10, damping: {ratio: 0.05}}\n"
+                            "  membrane: {stiffness: 10, damping: 0.02}\n"
                             "  pressure: {constant: 828, outside: 192}\n";
-    text += "  drag: 10\n  contact: {stiffness: 30, damping: {ratio: 0.05}}\n";
+    text += "  drag: 10\n  contact: {stiffness: 30, damping: 0.02}\n";
     if (e_.shell && e_.areSpheres) text += "  shell: {mesh: " + yamlText(stem_ + "-shell.obj") + "}\n";
     else if (e_.shell)
       text += fmt::format(

@@ -1,6 +1,8 @@
 // Writes documents as HTML. Every text of a document passes through `safe` exactly once.
 #include <fmt/format.h>
 
+#include <regex>
+
 #include "document/document.h"
 #include "files/printable.h"
 #include "page/page.h"
@@ -10,6 +12,12 @@ namespace {
 
 /// Returns a text as HTML: markup is shown as text, and invisible characters are made visible.
 std::string safe(std::string_view text) { return htmlText(printable(text)); }
+
+/// Returns prose as HTML: browsers break 4.8e-07 behind its hyphen, so such numbers are kept whole.
+std::string prose(std::string_view text) {
+  static const std::regex power("[0-9][0-9.]*e[-+][0-9]+");
+  return std::regex_replace(safe(text), power, "<span class=\"whole\">$&</span>");
+}
 
 std::string element(const std::string& tag, const std::string& attributes, const std::string& html) {
   return "<" + tag + attributes + ">" + html + "</" + tag + ">";
@@ -35,7 +43,7 @@ std::string htmlOf(const Words::Piece& piece) {
     case Emphasis::lineBreak: return "<br>";
     case Emphasis::plain: break;
   }
-  return text;
+  return prose(piece.text);
 }
 
 /// Returns a cell as HTML. A hash may be broken anywhere, words may not.
@@ -86,7 +94,7 @@ struct AsHtml {
       for (const Finding& finding : f.list) {
         if (finding.kind != as.kind) continue;
         std::string why;
-        for (const std::string& clause : finding.why) why += element("li", "", safe(clause));
+        for (const std::string& clause : finding.why) why += element("li", "", prose(clause));
         html += element("li", ofClass(as.name),
                         element("span", ofClass(std::string("mark ") + as.name), as.mark) + htmlOf(finding.words) +
                             (why.empty() ? "" : element("ul", ofClass("why"), why))) +
