@@ -117,7 +117,15 @@ TEST_CASE("the claims of the shipped studies hold, and their READMEs say what th
     std::filesystem::create_directories(std::filesystem::path(drawn).parent_path());
     command[2] = databaseOf(temporary, study), command.back() = drawn;
     std::istringstream lines(succeeds(command).out);
-    for (std::string line; std::getline(lines, line);) printed[study].emplace_back(withSingleBlanks(line));
+    bool inTable = false;  // of an interaction, which is one piece of evidence
+    for (std::string line; std::getline(lines, line);) {
+      const std::string words = withSingleBlanks(line);
+      if (inTable && !words.empty())
+        printed[study].back() = Evidence(printed[study].back().found + '\n' + words);
+      else
+        printed[study].emplace_back(words);
+      inTable = !words.empty() && (inTable || words.find(", interaction η²") != words.npos);
+    }
     succeeds({"render", kept, "--compare", drawn});
     for (const std::string ending : {".svg", ".pdf"}) {  // as a journal prints it
       auto printed = command;

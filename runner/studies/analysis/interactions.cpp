@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "analysis/compare_parts.h"
 #include "analysis/measure_words.h"
@@ -10,6 +11,9 @@
 
 namespace morula {
 namespace {
+
+/// Pairs of levels that a cell of a table names at most; --json and the tables of pairs name all.
+constexpr std::ptrdiff_t namedInTables = 2;
 
 struct LevelMeans {
   Interaction interaction;
@@ -47,12 +51,15 @@ std::vector<LevelMeans> interactionsOf(const StudyComparison& c) {
 }
 
 /// Returns "every two", "none shown (±0.2)" or "1 and 3, 2 and 3" of the levels of an axis at a level of the other one;
-/// absent where its levels are not compared there.
-std::optional<std::string> differing(const StudyComparison& c, const LevelMeans& of, bool rows, std::size_t level) {
+/// where more pairs differ than are to be named, "9 of 15 pairs"; absent where its levels are not compared there.
+std::optional<std::string> differing(const StudyComparison& c, const LevelMeans& of, bool rows, std::size_t level,
+                                     std::ptrdiff_t named = std::numeric_limits<std::ptrdiff_t>::max()) {
   const std::size_t axis = rows ? of.axis : of.other, other = rows ? of.other : of.axis;
   const auto pairs = pairsAt(c, of.measure, axis, other, level);
   if (pairs.empty()) return std::nullopt;
   const std::string which = levelsThatDiffer(c, pairs);
+  const auto count = std::ranges::count_if(pairs, [](const PairComparison* p) { return isDifferent(*p); });
+  if (count > named && count < std::ssize(pairs)) return fmt::format("{} of {} pairs", count, pairs.size());
   if (!which.empty()) return which;
   double most = 0;
   for (const PairComparison* p : pairs)
@@ -92,14 +99,14 @@ Document interactionTables(const StudyComparison& c) {
     bool anyRow = false, anyColumn = false;
     for (std::size_t l = 0; l < other.labels.size(); ++l) {
       table.columns.push_back(other.name + " " + other.labels[l]);
-      const auto which = differing(c, of, true, l);
+      const auto which = differing(c, of, true, l, namedInTables);
       anyRow = anyRow || which;
       last.push_back(Cell(which.value_or("")));
     }
     for (std::size_t k = 0; k < axis.labels.size(); ++k) {
       std::vector<Cell> row{axis.labels[k]};
       for (const auto& mean : of.means[k]) row.push_back(number(mean, 3));
-      const auto which = differing(c, of, false, k);
+      const auto which = differing(c, of, false, k, namedInTables);
       anyColumn = anyColumn || which;
       row.push_back(Cell(which.value_or("")));
       table.rows.push_back(std::move(row));
