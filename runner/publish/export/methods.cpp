@@ -89,7 +89,7 @@ constexpr std::array<std::pair<const char*, const char*>, 18> sources{{
      "pages={183--189}, year={1998}}"},
 }};
 
-/// Returns the values that tell the model, as "physics.integrator: fire", without those that some level changes.
+/// Returns the values that tell the model, as "physics.integrator: quasi-static", without those that some level changes.
 std::string modelOf(const Scenario& scenario, const std::set<std::string>& changed) {
   std::vector<std::string> values;
   for (const auto& [key, value] : decidingValues(scenario)) {
