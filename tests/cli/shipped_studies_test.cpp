@@ -120,10 +120,8 @@ TEST_CASE("the claims of the shipped studies hold, and their READMEs say what th
     bool inTable = false;  // of an interaction, which is one piece of evidence
     for (std::string line; std::getline(lines, line);) {
       const std::string words = withSingleBlanks(line);
-      if (inTable && !words.empty())
-        printed[study].back() = Evidence(printed[study].back().found + '\n' + words);
-      else
-        printed[study].emplace_back(words);
+      if (inTable && !words.empty()) printed[study].back() = Evidence(printed[study].back().found + '\n' + words);
+      else printed[study].emplace_back(words);
       inTable = !words.empty() && (inTable || words.find(", interaction η²") != words.npos);
     }
     succeeds({"render", kept, "--compare", drawn});

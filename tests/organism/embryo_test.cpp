@@ -125,8 +125,8 @@ void compareWithReal(int ofAll, int whole) {
   for (int s = 0; s < 4; ++s)
     std::cout << stages[s].cells << " cells: " << mean[s].distance << " µm, F1 " << mean[s].f1 << '\n';
   CHECK(mean[2].f1 >= 0.87);
-  CHECK(mean[2].distance <= 3.65);  // [µm] 3.60 measured; real embryos differ among themselves by 2.3
-  CHECK(mean[3].distance <= 4.2);  // [µm] real embryos differ among themselves by 2.0
+  CHECK(mean[2].distance <= 3.65);  // [µm] 3.60 with all seeds, 3.64 with a damping of 0.02; real embryos differ by 2.3
+  CHECK(mean[3].distance <= 4.2);   // [µm] real embryos differ among themselves by 2.0
   int told = 0;
   for (int i = 0; i < whole; ++i) {
     const auto& counts = seeds[i].counts;

@@ -188,6 +188,11 @@ export class Run {
     return this.heads.some((head) => head.connections > 0);
   }
 
+  /** Runs of a study have no forces on vertices, which are larger than ten frames. */
+  get hasVertexForces(): boolean {
+    return this.heads.some((head) => head.vertexForces > 0);
+  }
+
   get hasBodies(): boolean {
     return this.heads.length > 0;
   }

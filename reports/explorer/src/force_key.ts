@@ -94,10 +94,8 @@ export class ForceKey {
       const view = views.find((v) => cellWithVertexForces(v.run, choice) >= 0)!;
       return `Arrows: the forces on each vertex of ${view.run.byPath.get(choice.selected!)!.label}.`;
     }
-    return (
-      "Arrows: the net force of each kind on a cell, from its middle. Springs and pressure of a closed cell add up " +
-      "to none; at the last time a selected cell shows them on its vertices."
-    );
+    const shown = views.some((v) => v.run.hasVertexForces) ? "; at the last time a selected cell shows them on its vertices" : "";
+    return `Arrows: the net force of each kind on a cell, from its middle. Springs and pressure of a closed cell add up to none${shown}.`;
   }
 
   /** Draws the key's arrow in the scale of this view. */

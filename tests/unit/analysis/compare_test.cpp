@@ -1,9 +1,9 @@
 // Comparisons of studies with known values: pairs, conditions, time courses, other output and refusals.
 #include "database/database.h"
 #include "database/store_error.h"
+#include "made_comparisons.h"
 #include "store/result_file.h"
 #include "system/usage_error.h"
-#include "made_comparisons.h"
 
 using namespace morula;
 using namespace morula::test;

@@ -59,7 +59,7 @@ inline bool says(const std::vector<std::string>& lines, const std::string& sente
 
 /// Returns true if a sentence has this beginning, part and end.
 inline bool says(const std::vector<std::string>& lines, const std::string& begin, const std::string& part,
-          const std::string& end = "") {
+                 const std::string& end = "") {
   return std::ranges::any_of(lines, [&](const std::string& line) {
     return line.starts_with(begin) && line.find(part) != line.npos && line.ends_with(end);
   });

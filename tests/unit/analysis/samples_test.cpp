@@ -146,4 +146,3 @@ TEST_CASE("A measure that is the same in all runs leaves the family, and the p-v
   CHECK(!pairOf(beside, "sister_contact", "division").corrected);
   CHECK(says(verdictsOf(beside), "sister_contact is 1 everywhere, so it distinguishes no conditions"));
 }
-

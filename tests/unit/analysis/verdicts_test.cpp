@@ -1,7 +1,7 @@
 // Sentences of comparisons of known values: what differs, what is equivalent, by which margin.
+#include "made_comparisons.h"
 #include "statistics/equivalence.h"
 #include "system/usage_error.h"
-#include "made_comparisons.h"
 
 using namespace morula;
 using namespace morula::test;
@@ -96,4 +96,3 @@ TEST_CASE("Sphericity is compared on its distance from 1, by margins, percentage
   CHECK(pairOf(c, "sphericity", "shape").equivalence->verdict == Equivalent::no);
   for (const auto& line : verdicts) CHECK(line.find("distinguishes no conditions") == line.npos);
 }
-
