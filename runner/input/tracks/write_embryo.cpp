@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "files/printable.h"
 #include "files/text.h"
 #include "mesh/mesh.h"
 #include "scenario/scenario.h"
