@@ -3,6 +3,7 @@
 #include "accuracy/into_golden.h"
 #include "accuracy/subject.h"
 #include "base/error.h"
+#include "loop/scenario_run.h"
 #include "options/exit_codes.h"
 #include "options/program.h"
 #include "system/console.h"

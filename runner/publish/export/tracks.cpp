@@ -68,7 +68,7 @@ Tracks tracksOf(const ExportedRun& run, bool quiet) {
     }
     trackOf[i] = static_cast<int>(made.tracks.size());
     const std::string name = run.nameOf(lineage[i]);
-    CellTrack& track = made.tracks.emplace_back(&lineage[i], name.starts_with('/') ? "" : name);
+    CellTrack& track = made.tracks.emplace_back(CellTrack{&lineage[i], name.starts_with('/') ? "" : name});
     for (CellPath path = lineage[i].path; !path.isEgg() && track.parent < 0;) {
       path = path.mother();  // mothers stand before their daughters
       if (const int mother = run.cellNumber(path); mother >= 0)

@@ -17,6 +17,7 @@
 #include "system/console.h"
 #include "system/signals.h"
 #include "system/usable_memory.h"
+#include "values/cell_names.h"
 
 namespace morula {
 namespace {

@@ -13,6 +13,7 @@
 #include "pictures/pictures.h"
 #include "store/sample_values.h"
 #include "system/clock.h"
+#include "system/signals.h"
 #include "system/usable_memory.h"
 #include "values/cell_words.h"
 
