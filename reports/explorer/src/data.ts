@@ -188,7 +188,7 @@ export class Run {
     return this.heads.some((head) => head.connections > 0);
   }
 
-  /** Runs of a study have no forces on vertices, which are larger than ten frames. */
+  /** False for runs of a study that would leave no room for them: they are larger than ten frames. */
   get hasVertexForces(): boolean {
     return this.heads.some((head) => head.vertexForces > 0);
   }

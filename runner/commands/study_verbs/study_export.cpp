@@ -95,9 +95,9 @@ int act(const ExportCommand& command) {
   if (!text.empty() && text == references)
     throw UsageError("--methods: needs a name that does not end in .bib, as methods.md");
   if (!text.empty()) requireNewFile(text), requireNewFile(references);
+  requireWhole(database, command);
   if (wantsCrate && target.extension() == ".zip") requireNewFile(target);
   else if (wantsCrate) requireAbsent(target);
-  requireWhole(database, command);
 
   std::vector<std::string> written;
   Json json{{"study", readStudyResults(database).name}};

@@ -75,7 +75,6 @@ void exploreRuns(std::vector<RunFacts>& runs, const ReportQuestion& question, Ex
     if (question.frames > 0 && again < maxExplored && canRunAgain(run)) {
       ++again;
       runAgain(run, question.execution, question.frames, question.rerun && run.results.chain.empty(), question.quiet);
-      if (!run.label.empty()) dropVertexForces(run.again->frames);  // a study has many runs
       explored.frames.push_back(&run.again->frames);
     }
   for (const RunFacts& run : runs)
@@ -89,6 +88,7 @@ void exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Ex
   const std::size_t room = question.maxBytes / 2;
   const auto bytesOfLeast = [](const Frames& frames) {
     Frames least = frames;
+    dropVertexForces(least);  // they get what room is left
     const std::size_t n = frames.frames.size();
     if (n > minFrames) {
       least.frames.clear();
@@ -103,7 +103,6 @@ void exploreMore(std::vector<RunFacts>& runs, const ReportQuestion& question, Ex
     if (taken >= room) return;
     if (!canRunAgain(run)) continue;
     runAgain(run, question.execution, question.frames, false, question.quiet);
-    dropVertexForces(run.again->frames);
     explored.frames.push_back(&run.again->frames);
     explored.runs.push_back(explorerRunOf(run));
     taken += bytesOfLeast(run.again->frames);

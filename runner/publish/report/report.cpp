@@ -275,7 +275,11 @@ ReportAnswer makeReport(const ReportQuestion& question) {
   compose();
   const std::size_t without = pageFile(page).size() + 20'000;
   const std::size_t room = question.maxBytes > without ? (question.maxBytes - without) / 4 * 3 : 0;
-  for (Frames* of : explored.frames) thinFrames(*of, page.program.empty() ? 0 : room / explored.frames.size());
+  for (Frames* of : explored.frames) {
+    const std::size_t share = page.program.empty() ? 0 : room / explored.frames.size();
+    if (!sources.studies.empty() && packedFrames(*of).size() > share) dropVertexForces(*of);  // for more moments
+    thinFrames(*of, share);
+  }
   compose();
   if (!page.program.empty())
     for (PageBytes& bytes : explorerBytes(explored.runs)) page.bytes.push_back(std::move(bytes));
