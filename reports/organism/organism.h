@@ -8,7 +8,7 @@
 
 #include "base/vec3.h"
 #include "drawing/annotations.h"
-#include "mesh/mesh.h"
+#include "mesh/convex_shell.h"
 #include "organism/instruments.h"
 
 namespace morula {
@@ -59,6 +59,8 @@ struct OrganismPicture {
   std::vector<Face> faces;  // the mesh of all cells without their own
   std::vector<CellShape> cells;
   std::optional<Vector> shell;  // semi-axes [length] > 0, about the origin; a faint rim, 2 % outside
+  std::vector<ShellPlane> shellPlanes;  // of a shell that is a mesh, and drawn as a cell; as `shell`, it holds the cells
+                                        // in it: they are drawn inside (shell_wall.h)
   std::vector<LineMark> lines;
   std::vector<CellLabel> labels;  // for visible cells, as many as fit; the caption counts the missing ones
   std::optional<ClipPlane> clip;  // cuts cells and lines; translucent cells are hollow. The shell stays whole.
