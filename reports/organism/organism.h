@@ -21,6 +21,7 @@ struct CellShape {
   std::vector<Face> faces{};     // the cell's own mesh; empty: the picture's
   std::vector<double> shares{};  // one per vertex, for maps: 0 to 1 on scaleColour's scale;
                                  // empty: all vertices have the cell's colour
+  bool isWall = false;           // the wall of a shell, which is not held by it (shell_wall.h)
 };
 
 /// A straight line in space, for forces, normals and connections.

@@ -16,15 +16,9 @@ double ShellWall::reach(const Point& p) const {
   return measureReach(picture_.shellPlanes, p);
 }
 
-bool ShellWall::holds(const std::vector<Point>& vertices) const {
-  if (!(within_ > 0)) return false;
-  bool enters = false;
-  for (const Point& vertex : vertices) {
-    const double here = reach(vertex);
-    if (here > freeReach) return false;
-    enters = enters || here <= 1;
-  }
-  return enters;
+bool ShellWall::holds(const CellShape& cell) const {
+  return within_ > 0 && !cell.isWall && !cell.vertices.empty() && reach(middleOf(cell)) <= 1 &&
+         std::ranges::all_of(cell.vertices, [&](const Point& vertex) { return reach(vertex) <= freeReach; });
 }
 
 Vector ShellWall::inside(const Vector& point) const {

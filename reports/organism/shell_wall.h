@@ -2,8 +2,6 @@
 // The drawn shell, and the cells that it holds, which are drawn inside of it. A shell holds the surface below a cell's
 // vertices (core/physics/sag.h), and faces are bent outwards between them, so without this rule parts of a cell that
 // presses against the shell would come out of the wall in patches.
-#include <vector>
-
 #include "organism/camera.h"
 #include "organism/organism.h"
 
@@ -24,9 +22,8 @@ class ShellWall {
   /// Returns the place of a point [length] between the shell's middle, 0, and the shell, 1; 0 without a shell.
   double reach(const Point& point) const;
 
-  /// Returns true if a cell with these vertices [length] is held: at least one is in the shell and none beyond
-  /// freeReach.
-  bool holds(const std::vector<Point>& vertices) const;
+  /// Returns true if the shell holds a cell: its middle is in the shell and no vertex beyond freeReach.
+  bool holds(const CellShape& cell) const;
 
   /// Returns a point in eye space [length], or, if it is beyond heldReach, the point there on the line to the middle.
   Vector inside(const Vector& point) const;

@@ -63,7 +63,7 @@ class CellSurface {
       : to_(to),
         cell_(picture.cells[number]),
         faces_(facesOf(picture, cell_)),
-        wall_(wall.holds(cell_.vertices) ? &wall : nullptr) {
+        wall_(wall.holds(cell_) ? &wall : nullptr) {
     normals_ = vertexNormals(cell_.vertices, faces_);
     positions_.reserve(cell_.vertices.size());
     for (const Point& vertex : cell_.vertices) positions_.push_back(axes.of(vertex - centre));

@@ -16,14 +16,16 @@ export function insideShell(shell: Run["shell"], frame: Frame): Float32Array {
     p = frame.positions.slice(),
     reach = (v: number) => Math.hypot(p[3 * v] / a, p[3 * v + 1] / b, p[3 * v + 2] / c);
   for (let i = 0; i < frame.count; ++i) {
-    let least = Infinity,
-      most = 0;
-    for (let v = frame.firstVertex[i]; v < frame.firstVertex[i + 1]; ++v) {
-      least = Math.min(least, reach(v));
+    const first = frame.firstVertex[i],
+      last = frame.firstVertex[i + 1],
+      middle = [0, 0, 0];
+    let most = 0;
+    for (let v = first; v < last; ++v) {
       most = Math.max(most, reach(v));
+      for (let axis = 0; axis < 3; ++axis) middle[axis] += p[3 * v + axis] / (last - first) / shell.axes[axis];
     }
-    if (least > 1 || most > freeReach || most <= heldReach) continue;
-    for (let v = frame.firstVertex[i]; v < frame.firstVertex[i + 1]; ++v) {
+    if (Math.hypot(...middle) > 1 || most > freeReach || most <= heldReach) continue;
+    for (let v = first; v < last; ++v) {
       const share = Math.min(1, heldReach / reach(v));
       for (let k = 3 * v; k < 3 * v + 3; ++k) p[k] *= share;
     }

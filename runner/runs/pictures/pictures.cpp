@@ -110,6 +110,7 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
   if (const auto& shell = scenario.scene.mechanics->physics.shell; shell && shell->mesh) {
     Mesh flat = withEdges(shell->mesh->mesh);
     picture.cells.push_back({"shell", std::move(flat.vertices), neutralGrey, shellOpacity, std::move(flat.faces)});
+    picture.cells.back().isWall = true;
   }
   picture.legend = palette.legend();
   picture.caption =
