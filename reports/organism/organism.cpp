@@ -9,6 +9,7 @@
 #include "organism/camera.h"
 #include "organism/labels.h"
 #include "organism/organism_renderer.h"
+#include "organism/shell_wall.h"
 
 namespace morula {
 namespace {

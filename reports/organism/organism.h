@@ -8,7 +8,7 @@
 
 #include "base/vec3.h"
 #include "drawing/annotations.h"
-#include "mesh/mesh.h"
+#include "mesh/convex_shell.h"
 #include "organism/instruments.h"
 
 namespace morula {
@@ -21,6 +21,7 @@ struct CellShape {
   std::vector<Face> faces{};     // the cell's own mesh; empty: the picture's
   std::vector<double> shares{};  // one per vertex, for maps: 0 to 1 on scaleColour's scale;
                                  // empty: all vertices have the cell's colour
+  bool isWall = false;           // the wall of a shell, which is not held by it (shell_wall.h)
 };
 
 /// A straight line in space, for forces, normals and connections.
@@ -59,6 +60,8 @@ struct OrganismPicture {
   std::vector<Face> faces;  // the mesh of all cells without their own
   std::vector<CellShape> cells;
   std::optional<Vector> shell;  // semi-axes [length] > 0, about the origin; a faint rim, 2 % outside
+  std::vector<ShellPlane> shellPlanes;  // of a shell that is a mesh, and drawn as a cell; as `shell`, it holds the cells
+                                        // in it: they are drawn inside (shell_wall.h)
   std::vector<LineMark> lines;
   std::vector<CellLabel> labels;  // for visible cells, as many as fit; the caption counts the missing ones
   std::optional<ClipPlane> clip;  // cuts cells and lines; translucent cells are hollow. The shell stays whole.

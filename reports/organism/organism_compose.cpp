@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "organism/organism_passes.h"
+#include "organism/shell_wall.h"
 
 namespace morula {
 namespace {

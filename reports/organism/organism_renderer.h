@@ -11,10 +11,6 @@
 
 namespace morula {
 
-/// The shell's wall lies outside of the shell, up to this many times its semi-axes, so that cells that touch it stay
-/// whole.
-inline constexpr double shellThickness = 1.02;
-
 class OrganismRenderer {
  public:
   OrganismRenderer();

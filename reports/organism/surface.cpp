@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "organism/shell_wall.h"
+
 namespace morula {
 namespace {
 
@@ -56,8 +58,12 @@ std::uint16_t asUint16(double value) { return std::uint16_t(std::clamp(value, 0.
 /// Adds one cell to the surface.
 class CellSurface {
  public:
-  CellSurface(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes, const Point& centre)
-      : to_(to), cell_(picture.cells[number]), faces_(facesOf(picture, cell_)) {
+  CellSurface(Surface& to, const OrganismPicture& picture, std::size_t number, const EyeAxes& axes, const Point& centre,
+              const ShellWall& wall)
+      : to_(to),
+        cell_(picture.cells[number]),
+        faces_(facesOf(picture, cell_)),
+        wall_(wall.holds(cell_) ? &wall : nullptr) {
     normals_ = vertexNormals(cell_.vertices, faces_);
     positions_.reserve(cell_.vertices.size());
     for (const Point& vertex : cell_.vertices) positions_.push_back(axes.of(vertex - centre));
@@ -100,7 +106,8 @@ class CellSurface {
   }
 
  private:
-  void add(const Vector& p, const Vector& n) {
+  void add(const Vector& place, const Vector& n) {
+    const Vector p = wall_ ? wall_->inside(place) : place;
     const double values[6] = {p.x, p.y, p.z, n.x, n.y, n.z};
     for (int i = 0; i < 3; ++i) vertex_.position[i] = float(values[i]), vertex_.normal[i] = float(values[3 + i]);
     to_.vertices.push_back(vertex_);
@@ -109,6 +116,7 @@ class CellSurface {
   Surface& to_;
   const CellShape& cell_;
   const std::vector<Face>& faces_;
+  const ShellWall* wall_;  // null: does not hold the cell
   std::vector<Vector> positions_, normals_;
   SurfaceVertex vertex_{};
 };
@@ -137,6 +145,7 @@ Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const F
   const int splits = splitsFor(faces);
   const Split split = splitFace(splits);
   const bool shares = splits == 1 && !withEdges;
+  const ShellWall wall(picture, axes, framing);
   Surface surface;
   if (!shares) surface.vertices.reserve(faces * split.points.size());
   surface.corners.reserve(faces * split.corners.size());
@@ -145,7 +154,7 @@ Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const F
       const double opacity = picture.cells[i].opacity;
       if (!(opacity > 0 && (opacity >= 1) == solid)) continue;
       const std::size_t first = surface.corners.size();
-      CellSurface cell(surface, picture, i, axes, framing.centre);
+      CellSurface cell(surface, picture, i, axes, framing.centre, wall);
       if (shares) cell.addShared();
       else cell.addSplit(split);
       surface.cells.push_back({i, first, surface.corners.size() - first});

@@ -50,11 +50,26 @@ async function evil(browser) {
   await page.close();
 }
 
+/** From the list of a study's runs to the run in the explorer. */
+async function study(browser) {
+  const page = await open(browser, "study.html");
+  const left = () => page.$eval(".tools select[name=left]", (s) => s.value), before = await left();
+  const list = await page.$$eval("details a[href^='#left=']", (all) => all.map((a) => [a.textContent, a.closest("tr").querySelector("code").textContent]));
+  const runs = await page.$$eval(".tools select[name=left] option", (all) => all.map((o) => o.textContent));
+  check("each run in the explorer has a link and a command", JSON.stringify(list.map(([name]) => name)) === JSON.stringify(runs) && list.every(([, command]) => /report .* --run [0-9a-f]{16} -o/.test(command)), list[0]);
+  await page.evaluate(() => (document.querySelector("details:has(a[href^='#left='])").open = true));
+  await changes(page, "a link to a run", () => page.click("details a[href='#left=2']"));
+  check("it shows the run, and the explorer is in sight", before === "0" && (await left()) === "2" && (await page.$eval("#explorer canvas", (c) => c.getBoundingClientRect().bottom > 0)));
+  await accessible(page, "study.html with its list of runs");
+  await page.close();
+}
+
 const browser = await start(), plain = await start(["--disable-3d-apis"]), files = process.argv.slice(4);
 try {
   for (const file of files) {
     const hash = await walk(browser, file, file === "elegans.html");
     await otherwise(browser, plain, file);
+    if (file === "study.html") await study(browser);
     if (file !== "one.html") continue;
     await address(browser, hash);
     await twoRuns(browser);

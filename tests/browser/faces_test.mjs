@@ -7,8 +7,8 @@ import { pathToFileURL } from "node:url";
 const [packages, sources] = process.argv.slice(2).map((p) => resolve(p));
 const { buildSync } = createRequire(join(packages, "package.json"))("esbuild");
 const built = join(packages, "faces_test_built.mjs");
-buildSync({ stdin: { contents: 'export * from "./faces"; export * from "./occlusion";', resolveDir: sources, loader: "ts" }, outfile: built, bundle: true, format: "esm", logLevel: "warning" });
-const { DrawList, Sorter, facesAcross } = await import(pathToFileURL(built).href);
+buildSync({ stdin: { contents: 'export * from "./faces"; export * from "./occlusion"; export * from "./shell";', resolveDir: sources, loader: "ts" }, outfile: built, bundle: true, format: "esm", logLevel: "warning" });
+const { DrawList, Sorter, facesAcross, insideShell } = await import(pathToFileURL(built).href);
 
 let failures = 0;
 function check(what, holds, found = "") {
@@ -113,5 +113,13 @@ new Sorter().sort(keys, 5000, order);
 check("numbers are sorted", order.every((n, i) => i === 0 || keys[order[i - 1]] <= keys[n] + 10 / 65535) && new Set(order).size === 5000);
 new Sorter().sort(new Float32Array(3), 3, order);
 check("equal ones stay in their order", order[0] === 0 && order[1] === 1 && order[2] === 2);
+
+// Three cells of two vertices in an ellipsoid: one that it holds and that stands out a little, one inside, one that is free.
+const shell = { axes: [2, 1, 1] };
+const positions = Float32Array.from([2.1, 0, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1.005, 0, 1.3, 0, 0, 0.9, 0]);
+const frame = { count: 3, firstVertex: [0, 2, 4, 6], positions };
+const drawn = insideShell(shell, frame), expected = [2.02, 0, 0, ...positions.slice(3)];
+check("a held cell is drawn inside of the wall, others as they are", expected.every((x, k) => Math.abs(drawn[k] - x) < 1e-6), drawn);
+check("without an ellipsoid all are drawn as they are", insideShell(null, frame) === positions && insideShell({ vertices: [], faces: [] }, frame) === positions);
 if (failures) process.exit(1);
-console.log("faces are drawn in the right order");
+console.log("faces are drawn in the right order, and cells in their shell");

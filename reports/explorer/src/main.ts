@@ -92,6 +92,9 @@ export class Explorer {
     for (const part of [this.tree, this.info]) part.onPick = (path: string) => this.pick(path);
     this.tree.onHover = (path, x, y) => this.hover(path, x, y);
     this.state.listen((changed) => this.changed(changed));
+    addEventListener("hashchange", () => {
+      if (location.hash.includes("=")) root.scrollIntoView(); // a link of the page leads to a run here
+    });
     root.addEventListener("keydown", (e) => this.key(e));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.takePaper());
     this.updateAll();

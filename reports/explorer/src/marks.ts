@@ -2,6 +2,7 @@
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, type Color, type Plane } from "three";
 import type { Run } from "./data";
 import { edgesOf, normalLines, shellLines } from "./lines";
+import { shellThickness } from "./shell";
 import type { Choice } from "./state";
 import type { Surface } from "./surface";
 
@@ -36,6 +37,7 @@ export class Marks {
     this.object.add(this.wires, this.outline, this.normals, this.held, this.shell);
     this.edges = run.meshes.map(edgesOf);
     this.held.material.depthTest = false; // connections run inside of cells
+    this.shell.scale.setScalar(shellThickness);
     replacePoints(this.shell, Float32Array.from(shellLines(run.shell)));
   }
 
@@ -76,7 +78,7 @@ export class Marks {
     if (choice.normals && this.normals.geometry.getAttribute("position").count === 0)
       replacePoints(
         this.normals,
-        normalLines(frame.positions, surface.geometry.getAttribute("normal").array, 0.08 * this.run.radius),
+        normalLines(surface.geometry.getAttribute("position").array as Float32Array, surface.geometry.getAttribute("normal").array, 0.08 * this.run.radius),
       );
     this.held.visible = choice.connections;
     if (choice.connections && this.held.geometry.getAttribute("position").count === 0) {

@@ -14,6 +14,7 @@ import { isWithin, type Frame, type Run } from "./data";
 import { DrawList } from "./faces";
 import type { Sight } from "./occlusion";
 import { cellMaterial, insideMaterial } from "./shading";
+import { insideShell } from "./shell";
 import type { Choice } from "./state";
 
 const dimmed = 0.1; // opacity
@@ -44,7 +45,8 @@ export class Surface {
     const firstFace = new Uint32Array(frame.count + 1);
     for (let i = 0; i < frame.count; ++i) firstFace[i + 1] = firstFace[i] + run.meshes[frame.mesh[i]].length / 3;
     const corners = new Uint32Array(3 * firstFace[frame.count]),
-      vertices = frame.firstVertex[frame.count];
+      vertices = frame.firstVertex[frame.count],
+      positions = insideShell(run.shell, frame);
     this.centres = new Float32Array(3 * frame.count);
     for (let i = 0, at = 0; i < frame.count; ++i) {
       const first = frame.firstVertex[i],
@@ -55,14 +57,14 @@ export class Surface {
         for (let axis = 0; axis < 3; ++axis) this.centres[3 * i + axis] += frame.positions[3 * v + axis] / n;
     }
     this.geometry.dispose();
-    this.geometry.setAttribute("position", new BufferAttribute(frame.positions, 3));
+    this.geometry.setAttribute("position", new BufferAttribute(positions, 3));
     this.geometry.setIndex(new BufferAttribute(corners, 1));
     this.geometry.deleteAttribute("normal");
     this.geometry.computeVertexNormals();
     this.list = new DrawList({
       corners,
       firstFace,
-      positions: frame.positions,
+      positions,
       across: Array.from(frame.mesh, (mesh) => run.across[mesh]),
     });
     const index = new BufferAttribute(

@@ -40,6 +40,7 @@ std::string htmlOf(const Words::Piece& piece) {
     case Emphasis::good: return marked("good");
     case Emphasis::warning: return marked("warn");
     case Emphasis::bad: return marked("bad");
+    case Emphasis::link: return element("a", " href=\"#" + safe(piece.hint) + "\"", text);
     case Emphasis::lineBreak: return "<br>";
     case Emphasis::plain: break;
   }

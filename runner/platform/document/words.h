@@ -7,13 +7,13 @@
 
 namespace morula {
 
-enum class Emphasis { plain, bold, italic, code, quiet, subscript, good, warning, bad, lineBreak };
+enum class Emphasis { plain, bold, italic, code, quiet, subscript, good, warning, bad, link, lineBreak };
 
 class Words {
  public:
   struct Piece {
     Emphasis emphasis;
-    std::string text, hint;  // hint: shown when the pointer is over the text
+    std::string text, hint;  // hint: shown when the pointer is over the text; of a link: the place on its page, as "id"
     bool operator==(const Piece&) const = default;
   };
 

@@ -125,11 +125,27 @@ void sayWhichOfStudies(const Sources& sources, const AllFacts& facts, const std:
   }
 }
 
+/// Returns the runs of studies in the explorer, each with a link that shows it there and the command for a page of it
+/// alone; empty without such runs.
+Document ownPages(const AllFacts& facts, const std::vector<ExplorerRun>& shown) {
+  Table table{"Runs of the explorer", {"run", "command for a page of this run alone"}};
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    for (const auto* runs : {&facts.runs, &facts.more})
+      for (const RunFacts& run : *runs)
+        if (&run.scenario == shown[i].scenario && !run.label.empty() && titleOf(run) == shown[i].title)
+          table.rows.push_back({Words(shown[i].title, Emphasis::link, "left=" + std::to_string(i)),
+                                code(commandFor(run, "report", "-o run.html"))});
+  if (table.rows.empty()) return {};
+  const std::string title = "Pages of " + counted(table.rows.size(), "run");
+  return Document().add(folded(title, Document().add(std::move(table))));
+}
+
 PageSection explorerSection(const ReportQuestion& question, const Sources& sources, const AllFacts& facts,
                             const std::vector<ExplorerRun>& runs) {
   PageSection section{"explorer", "Explorer", {}};
   if (question.program.empty()) section.body.say("This page has no explorer: " + question.whyNone);
   else section.body.add(ExplorerPlace{}).add(leftOutOf(runs));
+  section.body.add(ownPages(facts, runs));
   sayWhichOfStudies(sources, facts, runs, section.body);
   return section;
 }

@@ -99,7 +99,7 @@ BesideGolden drawBesideGolden(const Scenario& scenario, const World& world, cons
       return alone("The golden's organism cannot be shown: " + again.whyNot +
                    ", and the golden holds no places of cells.");
     result.source = BesideGolden::Source::centres;
-    before.shell = now.shell;
+    before.shell = now.shell, before.shellPlanes = now.shellPlanes;
     result.notes = {
         "Golden: spheres with the accepted volumes at the accepted places. Its shapes cannot be made again: " +
             again.whyNot + ".",

@@ -12,6 +12,7 @@
 #include "files/text.h"
 #include "files/write_file.h"
 #include "observation/measures.h"
+#include "organism/shell_wall.h"
 #include "pictures/frame_file.h"
 
 namespace morula {
@@ -58,13 +59,12 @@ namespace {
 constexpr double shellOpacity = 0.15;  // opacity of a shell that is a mesh, which is drawn like a cell
 
 /// Returns the surface with separate vertices for each face, so that edges are drawn; cells are drawn smooth. The copy
-/// is slightly larger, or it would lie in the flat sides of cells that are pressed against it.
+/// is the wall around the cells that the shell holds.
 Mesh withEdges(const Mesh& mesh) {
-  constexpr double larger = 1.01;
   Mesh flat;
   for (const Face& face : mesh.faces) {
     const int first = static_cast<int>(flat.vertices.size());
-    for (const int corner : face) flat.vertices.push_back(larger * mesh.vertices[corner]);
+    for (const int corner : face) flat.vertices.push_back(shellThickness * mesh.vertices[corner]);
     flat.faces.push_back({first, first + 1, first + 2});
   }
   return flat;
@@ -77,6 +77,7 @@ OrganismPicture blankPicture(const Scenario& scenario) {
   picture.faces = mechanics.mesh.faces;
   if (const auto& shell = mechanics.physics.shell; shell && !shell->mesh)
     picture.shell = Vector{shell->semiAxes[0], shell->semiAxes[1], shell->semiAxes[2]};
+  if (const auto& shell = mechanics.physics.shell; shell && shell->mesh) picture.shellPlanes = shell->mesh->planes;
   picture.title = scenario.scene.name;
   return picture;
 }
@@ -109,6 +110,7 @@ OrganismPicture pictureOf(const World& world, const Scenario& scenario) {
   if (const auto& shell = scenario.scene.mechanics->physics.shell; shell && shell->mesh) {
     Mesh flat = withEdges(shell->mesh->mesh);
     picture.cells.push_back({"shell", std::move(flat.vertices), neutralGrey, shellOpacity, std::move(flat.faces)});
+    picture.cells.back().isWall = true;
   }
   picture.legend = palette.legend();
   picture.caption =

@@ -63,6 +63,7 @@ TEST_CASE("Tables of several kinds become one, by the names of their columns") {
 TEST_CASE("No text becomes markup, wherever it stands") {
   Document all;
   all.say(evil).note(bold(evil)).heading(code(evil)).say(Words(evil, Emphasis::bad, "\" onclick=\"alert(2)"));
+  all.say(Words(evil, Emphasis::link, "\" onclick=\"alert(3)"));
   all.add(FindingList{{{Finding::Kind::bad, evil, {evil}}}})
       .add(PlainList{{evil}})
       .add(Verbatim{evil})
@@ -74,6 +75,12 @@ TEST_CASE("No text becomes markup, wherever it stands") {
   CHECK_THAT(page, ContainsSubstring("&lt;/td&gt;&lt;script&gt;"));
   CHECK_THAT(html(Document().say("a\x1b[2J")), ContainsSubstring("a\\x1b[2J"));
   CHECK(markdownOf(Table{"", {"a"}, {{"x|y\nz"}}}) == "| a |\n|---|\n| x\\|y\\nz |\n");
+}
+
+TEST_CASE("A link leads to a place of its own page, and is words elsewhere") {
+  const Document link = Document().say(Words("seed 1", Emphasis::link, "left=3"));
+  CHECK_THAT(htmlOf(link), ContainsSubstring("<a href=\"#left=3\">seed 1</a>"));
+  CHECK(textOf(link) == "seed 1\n");
 }
 
 TEST_CASE("The worst finding stands first, each kind with a word for it, and what is below it with it") {
