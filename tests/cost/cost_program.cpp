@@ -10,9 +10,7 @@
 #include <map>
 
 #include "bench/packed_world.h"
-#include <cstdlib>
 #include "contacts/contacts.h"
-#include "contacts/slices.h"
 #include "scenario/scenario.h"
 #include "scenes.h"
 #include "simulation/move_physics.h"
@@ -114,11 +112,9 @@ int main(int argc, char** argv) {
     // The world is two blocks of cells with coarse meshes, because programs that count are slow.
     const std::string_view kernel = argv[2];
     const bool alone = kernel.ends_with("alone"), dry = kernel.ends_with("dry");
-    World world = makePackedWorld({.cells = getenv("FIGS_CELLS") ? atoi(getenv("FIGS_CELLS")) : 16, .level = getenv("FIGS_LEVEL") ? atoi(getenv("FIGS_LEVEL")) : 1, .viscosity = dry ? 0 : 0.3, .contact = !alone},
+    World world = makePackedWorld({.cells = 16, .level = 1, .viscosity = dry ? 0 : 0.3, .contact = !alone},
                                   {.isa = parseIsa(argv[3])}, argv[5], [](const std::string&) {});
     const Work work = works().at(argv[2]);
-    if (getenv("FIGS_ALL")) cutIntoSlices(world.contacts->list, *world.bodies, 1);
-    if (world.contacts) { std::size_t slots = 0; for (auto& b : world.contacts->list.perBlock) for (auto& s : b.slices) slots += s.length * 8; std::cerr << "slots " << double(slots) / world.bodies->livingVertices << " slices " << [&]{std::size_t n=0; for (auto& b : world.contacts->list.perBlock) n+= b.slices.size(); return n*8.0/world.bodies->livingVertices;}() << "\n"; }
     work(world);  // one-time allocations are not counted
     countedWork(work, &world, std::atoi(argv[4]));
     std::cout << world.bodies->livingVertices << '\n';

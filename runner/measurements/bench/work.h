@@ -25,7 +25,8 @@ struct Instructions {
   double alone;                           // a step of cells that touch nothing, many at once
   double search, choice;                  // one for all vertices; a choice follows each search
 };
-/// Returns what gcc 12 makes for x86-64 in packed cells of 162 vertices. tests/cost counts them.
+/// Returns the instructions that gcc 12 makes for x86-64, counted in packed cells: AVX-512 by single steps, the others by
+/// callgrind. tests/cost counts narrow and AVX2 again.
 const Instructions& instructionsOf(Isa isa);
 
 /// Returns the work of springs, volume and its gradient, pressure, drag.
