@@ -55,6 +55,15 @@ void overBlocks(World& world, PhysicsKernels::Stage stage) {
   for (int i = 0; i < b.blockCount(); ++i) stage(b.mesh.view(), b.block(i, 0), b.kernelParameters);
 }
 
+void integrate(World& world) {
+  Bodies& b = *world.bodies;
+  if (b.acceleration[0] != 0) b.acceleration.assign(b.acceleration.size(), 0);  // only zero keeps its value
+  for (int i = 0; i < b.blockCount(); ++i) {
+    world.stages.drift(b.mesh.view(), b.block(i, 0), b.kernelParameters, world.clock.timeStep);
+    kick(world.stages, b, b.block(i, 0), world.clock.timeStep);
+  }
+}
+
 void findContactForces(World& world) {
   Bodies& b = *world.bodies;
   for (int i = 0; i < b.blockCount(); ++i) takeSnapshot(*world.contacts, b, b.block(i, 0), i);
@@ -69,15 +78,8 @@ const std::map<std::string, Work>& works() {
          overBlocks(world, world.stages.accumulateRings);
          overBlocks(world, world.stages.finishForces);
        }},
-      {"integrate",
-       [](World& world) {
-         Bodies& b = *world.bodies;
-         if (b.acceleration[0] != 0) b.acceleration.assign(b.acceleration.size(), 0);  // only zero keeps its value
-         for (int i = 0; i < b.blockCount(); ++i) {
-           world.stages.drift(b.mesh.view(), b.block(i, 0), b.kernelParameters, world.clock.timeStep);
-           kick(world.stages, b, b.block(i, 0), world.clock.timeStep);
-         }
-       }},
+      {"integrate", integrate},
+      {"integrate-alone", integrate},
       {"contact", findContactForces},
       {"contact-dry", findContactForces},
       {"choice", [](World& world) { choosePairs(*world.contacts, *world.bodies, 1); }},
