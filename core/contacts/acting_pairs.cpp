@@ -95,9 +95,9 @@ void markEnded(Contacts& c, const Bodies& bodies, int block, double radius) {
   ActingPairs::OfBlock& own = acting.blocks[block];
   BlockLists& lists = c.list.perBlock[block];
   const VertexNumber first = bodies.blocks[block].firstLine * blockLanes;
+  lists.chosen.clear();
   if (own.endedCount == 0) return;
   own.endings += own.endedCount;
-  lists.chosen.clear();
   for (std::int32_t i = 0; i < own.endedCount; ++i) {
     const std::int32_t row = own.ended[i];
     acting.change[first + row] = 0;
@@ -120,6 +120,11 @@ double smallestRadius(const Contacts& c, const Bodies& bodies) {
   double radius = INFINITY;
   for (int slot : bodies.slots) radius = std::min(radius, c.radius[slot]);
   return radius;
+}
+
+/// Counts the lists that findActing has just gone through in every block.
+void countThinned(Contacts& c) {
+  for (const BlockLists& lists : c.list.perBlock) c.listsThinned += lists.chosen.size();
 }
 
 bool isOver(const ActingPairs& acting) { return !(acting.blocks[0].time <= acting.horizon); }
@@ -192,6 +197,7 @@ void choosePairs(Contacts& c, const Bodies& bodies, int threads) {
     return cutIntoSlices(c.list, bodies, threads);
   }
   parallelFor(bodies.blockCount(), threads, [&](int block) { chooseBlock(c, bodies, block, radius); });
+  countThinned(c);
 }
 
 void renewPairs(Contacts& c, const Bodies& bodies, int threads) {
@@ -200,7 +206,9 @@ void renewPairs(Contacts& c, const Bodies& bodies, int threads) {
   if (ended == 0) return;
   const double radius = smallestRadius(c, bodies);
   parallelFor(bodies.blockCount(), threads, [&](int block) { markEnded(c, bodies, block, radius); });
+  countThinned(c);
   parallelFor(bodies.blockCount(), threads, [&](int block) { renewBlock(c, bodies, block, radius); });
+  countThinned(c);
 }
 
 }  // namespace morula

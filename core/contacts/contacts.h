@@ -46,6 +46,7 @@ struct Contacts {
   // Counters
   std::uint64_t rebuilds = 0;
   std::uint64_t pairEvaluations = 0;  // a vertex with one in its list: each pair counts from both sides
+  std::uint64_t listsThinned = 0;     // lists of vertices that acting pairs were chosen from; no checkpoint keeps it
 };
 
 Contacts makeContacts(const ContactParameters& parameters, Isa isa, const SearchSettings& search = {},

@@ -27,7 +27,7 @@ TEST_CASE("bench --json: rows, machine and picture as the contract says") {
   CHECK(json["morula"] == 1);
   CHECK(json["machine"]["cpu"].is_string());
   REQUIRE(json["machine"]["peak"].size() >= 2);
-  for (const auto& peak : json["machine"]["peak"]) CHECK(peak["multiply_add_per_second"] > 0);
+  for (const auto& peak : json["machine"]["peak"]) CHECK((peak["multiply_add_per_second"] > 0 && peak["instructions_per_second"] > 0));
   REQUIRE(json["machine"]["bandwidth"].size() >= 4);
   for (const auto& memory : json["machine"]["bandwidth"]) CHECK(memory["bytes_per_second"] > 0);
   CHECK(json["thesis"].size() == 6);
@@ -38,9 +38,9 @@ TEST_CASE("bench --json: rows, machine and picture as the contract says") {
   REQUIRE(json["rows"].size() > 20);
   for (const auto& row : json["rows"]) {
     CAPTURE(row.dump());
-    CHECK(isOneOf(row["scene"], {"packed", "packed-viscosity", "packed-single", "free"}));
+    CHECK(isOneOf(row["scene"], {"packed", "packed-still", "packed-viscosity", "packed-single", "free"}));
     CHECK(isOneOf(row["engine"], {"morula", "bullet-b1", "bullet-b2", "scalar"}));
-    CHECK(isOneOf(row["stage"], {"step", "internal", "contact", "rebuild", "integrate"}));
+    CHECK(isOneOf(row["stage"], {"step", "internal", "contact", "rebuild", "choice", "integrate"}));
     CHECK(row["cells"] == 8);
     CHECK(row["vertices"] == 42);
     CHECK((row["isa"].is_null() || isOneOf(row["isa"], {"scalar", "narrow", "avx2", "avx512"})));
@@ -49,6 +49,9 @@ TEST_CASE("bench --json: rows, machine and picture as the contract says") {
     CHECK(row["precision"] == (row["scene"] == "packed-single" ? "single" : "double"));
     CHECK(row["ns_per_vertex_step"].is_number());
     CHECK((row["share_of_limit"].is_null() || row["share_of_limit"] > 0));
+    CHECK(row["limit"].is_null() == row["share_of_limit"].is_null());
+    if (row["limit"].is_object()) CHECK(row["limit"].contains(row["limit"]["bound"]));
+    if (row["limit"].is_object()) CHECK(row["limit"].size() == 5);
     steps += row["stage"] == "step";
     bullet = bullet || row["engine"] == "bullet-b1";
   }
@@ -65,7 +68,8 @@ TEST_CASE("bench counts the same on every run, and packs only once") {
     const auto json = Json::parse(run.out);
     Json counters = Json::array();
     for (const auto& row : json["rows"])
-      counters.push_back({row["scene"], row["isa"], row["pairs_per_vertex_step"], row["rebuilds_per_step"]});
+      counters.push_back({row["scene"], row["isa"], row["pairs_per_vertex_step"], row["rebuilds_per_step"],
+                          row["slots_per_vertex_step"], row["choices_per_step"]});
     counted.push_back(counters);
   }
   CHECK(counted[0].size() >= 4);

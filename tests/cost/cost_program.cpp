@@ -13,6 +13,7 @@
 #include "contacts/contacts.h"
 #include "scenario/scenario.h"
 #include "scenes.h"
+#include "simulation/move_physics.h"
 
 using namespace morula;
 
@@ -54,6 +55,21 @@ void overBlocks(World& world, PhysicsKernels::Stage stage) {
   for (int i = 0; i < b.blockCount(); ++i) stage(b.mesh.view(), b.block(i, 0), b.kernelParameters);
 }
 
+void integrate(World& world) {
+  Bodies& b = *world.bodies;
+  if (b.acceleration[0] != 0) b.acceleration.assign(b.acceleration.size(), 0);  // only zero keeps its value
+  for (int i = 0; i < b.blockCount(); ++i) {
+    world.stages.drift(b.mesh.view(), b.block(i, 0), b.kernelParameters, world.clock.timeStep);
+    kick(world.stages, b, b.block(i, 0), world.clock.timeStep);
+  }
+}
+
+void findContactForces(World& world) {
+  Bodies& b = *world.bodies;
+  for (int i = 0; i < b.blockCount(); ++i) takeSnapshot(*world.contacts, b, b.block(i, 0), i);
+  for (int i = 0; i < b.blockCount(); ++i) addContactForces(*world.contacts, b, i, world.clock.timeStep);
+}
+
 const std::map<std::string, Work>& works() {
   static const std::map<std::string, Work> all{
       {"internal",
@@ -62,12 +78,11 @@ const std::map<std::string, Work>& works() {
          overBlocks(world, world.stages.accumulateRings);
          overBlocks(world, world.stages.finishForces);
        }},
-      {"contact",
-       [](World& world) {
-         Bodies& b = *world.bodies;
-         for (int i = 0; i < b.blockCount(); ++i) takeSnapshot(*world.contacts, b, b.block(i, 0), i);
-         for (int i = 0; i < b.blockCount(); ++i) addContactForces(*world.contacts, b, i, world.clock.timeStep);
-       }},
+      {"integrate", integrate},
+      {"integrate-alone", integrate},
+      {"contact", findContactForces},
+      {"contact-dry", findContactForces},
+      {"choice", [](World& world) { choosePairs(*world.contacts, *world.bodies, 1); }},
       {"search",
        [](World& world) {
          world.contacts->listIsValid = false;
@@ -97,8 +112,9 @@ int main(int argc, char** argv) {
     for (const auto& [name, work] : works()) std::cout << name << '\n';
   } else if (verb == "work" && argc == 6 && works().contains(argv[2])) {
     // The world is two blocks of cells with coarse meshes, because programs that count are slow.
-    const bool alone = std::string_view(argv[2]).ends_with("alone");
-    World world = makePackedWorld({.cells = 16, .level = 1, .viscosity = 0.3, .contact = !alone},
+    const std::string_view kernel = argv[2];
+    const bool alone = kernel.ends_with("alone"), dry = kernel.ends_with("dry");
+    World world = makePackedWorld({.cells = 16, .level = 1, .viscosity = dry ? 0 : 0.3, .contact = !alone},
                                   {.isa = parseIsa(argv[3])}, argv[5], [](const std::string&) {});
     const Work work = works().at(argv[2]);
     work(world);  // one-time allocations are not counted

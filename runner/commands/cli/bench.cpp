@@ -82,6 +82,14 @@ Json bulletJson(const BenchRow& row) {
           {"tried", all}};
 }
 
+/// Writes the least times per vertex and step by each part of the machine, and the part that binds; null without them.
+Json limitJson(const BenchRow& row) {
+  if (!row.limit) return {};
+  Json json{{"bound", nameOf(row.limit->bound())}};
+  for (const Bound bound : valuesOf<Bound>()) json[nameOf(bound)] = 1e9 * row.limit->of(bound);
+  return json;
+}
+
 Json toJson(const BenchRow& row) {
   return {{"scene", row.scene},
           {"engine", nameOf(row.engine)},
@@ -96,12 +104,15 @@ Json toJson(const BenchRow& row) {
           {"search", row.search.empty() ? Json() : Json(row.search)},
           {"ns_per_vertex_step", row.nsPerVertexStep},
           {"spread", row.spread},
+          {"limit", limitJson(row)},
           {"share_of_limit", orNull(row.shareOfLimit)},
           {"share_of_peak", orNull(row.shareOfPeak)},
           {"share_with_roots", orNull(row.shareWithRoots)},
-          {"ns_per_vertex_search", orNull(row.nsPerVertexSearch)},
+          {"ns_per_vertex_once", orNull(row.nsPerVertexOnce)},
           {"pairs_per_vertex_step", orNull(row.pairsPerVertexStep)},
+          {"slots_per_vertex_step", orNull(row.slotsPerVertexStep)},
           {"rebuilds_per_step", orNull(row.rebuildsPerStep)},
+          {"choices_per_step", orNull(row.choicesPerStep)},
           {"bullet", bulletJson(row)}};
 }
 
@@ -109,7 +120,8 @@ Json toJson(const MachineLimits& limits) {
   Json arithmetic = Json::array(), bandwidth = Json::array();
   for (const auto& [isa, a] : limits.arithmetic)
     arithmetic.push_back(
-        {{"isa", name(isa)}, {"multiply_add_per_second", a.operations}, {"root_divide_per_second", a.roots}});
+        {{"isa", name(isa)}, {"multiply_add_per_second", a.operations}, {"root_divide_per_second", a.roots},
+         {"instructions_per_second", a.instructions}});
   for (const auto& [bytes, rate] : limits.bandwidth)
     bandwidth.push_back({{"bytes", bytes}, {"bytes_per_second", rate}});
   const auto machine = machineInfo();

@@ -30,7 +30,7 @@ class SceneBench {
         name_(scene.name),
         whole_(scene.whole),
         everyStage_(whole_ || !packed_.contact || packed_.precision == Precision::binary32),
-        isas_(everyStage_ ? options.isas : std::vector{options.isas.back()}),
+        isas_(everyStage_ || !packed_.stirred ? options.isas : std::vector{options.isas.back()}),
         bulletProgram_(bulletProgram()),
         subject_(packed_, *std::max_element(options.threads.begin(), options.threads.end()), options.folder,
                  options.tell) {
@@ -67,7 +67,7 @@ class SceneBench {
   struct Series {
     BenchRow row;
     std::vector<double> samples;
-    std::vector<double> searches;  // for a step: times of the searches that `samples` leave out
+    std::vector<double> searches;  // for a step: times of searches, with a choice of pairs, that `samples` leave out
   };
 
   bool wants(Stage stage) const {
@@ -80,7 +80,7 @@ class SceneBench {
     return whole_ ? options_.program : packed_.precision == Precision::binary32 ? options_.singleBullet : "";
   }
 
-  bool needsSteps() const { return wants(Stage::step) || wants(Stage::rebuild); }
+  bool needsSteps() const { return wants(Stage::step) || wants(Stage::rebuild) || wants(Stage::choice); }
 
   BenchRow rowOf(MeasuredEngine engine, Stage stage) const {
     BenchRow row;
@@ -114,8 +114,9 @@ class SceneBench {
 
   void measureSearches() {
     for (const Isa isa : isas_) {
-      const double grid = subject_.timeRebuild(isa, ContactSearch::grid);
-      series(MeasuredEngine::morula, Stage::step, name(isa)).searches.push_back(grid);
+      const double grid = subject_.timeRebuild(isa, ContactSearch::grid), choice = subject_.timeChoice(isa);
+      series(MeasuredEngine::morula, Stage::step, name(isa)).searches.push_back(grid + choice);
+      series(MeasuredEngine::morula, Stage::choice, name(isa)).samples.push_back(choice);
       if (wants(Stage::rebuild) && whole_)
         series(MeasuredEngine::morula, Stage::rebuild, name(isa), 1, false, nameOf(ContactSearch::grid))
             .samples.push_back(grid);
@@ -146,7 +147,8 @@ class SceneBench {
       Series& s = series(MeasuredEngine::morula, Stage::step, name(isa), threads, true);
       s.samples.push_back(subject_.trySteps(isa, threads, ClockKind::wall, std::max(4, steps_ / 3)));
       if (subject_.touching())
-        s.searches.push_back(subject_.timeRebuild(isa, ContactSearch::grid, ClockKind::wall, threads));
+        s.searches.push_back(subject_.timeRebuild(isa, ContactSearch::grid, ClockKind::wall, threads) +
+                             subject_.timeChoice(isa, ClockKind::wall, threads));
       s.row.processors = std::max(s.row.processors.value_or(0), processorsFor(threads));
     }
   }
@@ -179,24 +181,44 @@ class SceneBench {
     return c.steps == 0 ? 0 : static_cast<double>(c.rebuilds) / static_cast<double>(c.steps);
   }
 
+  /// Returns how often pairs of all vertices were chosen, or of as many vertices one by one.
+  double choicesPerStep() const {
+    const StepCounters& c = subject_.counters();
+    return c.steps == 0 ? 0 : static_cast<double>(c.listsThinned) / static_cast<double>(c.steps) / subject_.lists();
+  }
+
+  double slotsPerVertex() const {
+    const StepCounters& c = subject_.counters();
+    if (c.looks == 0) return subject_.touching() ? double(countSlots(*subject_.world().contacts)) / subject_.vertices() : 0;
+    return static_cast<double>(c.slots) / static_cast<double>(c.looks) / subject_.vertices();
+  }
+
   double pairsPerVertex() const {
     const StepCounters& c = subject_.counters();
     if (c.steps == 0) return subject_.touching() ? subject_.world().contacts->list.pairs / subject_.vertices() : 0;
     return static_cast<double>(c.pairs) / static_cast<double>(c.steps) / subject_.vertices();
   }
 
-  Work workOf(Stage stage) const {
+  Work workOf(Stage stage, Isa isa) const {
     const Bodies& bodies = *subject_.world().bodies;
-    const Work internal = internalWork(bodies.mesh, bodies.parameters);
-    const Work integration = integrationWork(bodies.parameters.shell.has_value());
-    const double pairs = pairsPerVertex();
-    const Work contact = contactWork(pairs, packed_.viscosity > 0);
+    const Instructions& counted = instructionsOf(isa);
+    const bool slides = packed_.viscosity > 0;
+    Work internal = internalWork(bodies.mesh, bodies.parameters);
+    Work integration = integrationWork(bodies.parameters.shell.has_value());
+    Work contact = contactWork(bodies.mesh, slotsPerVertex(), slides);
+    internal.instructions = counted.internal;
+    integration.instructions = counted.integration;
+    contact.instructions = counted.contact + (slides ? counted.perSlidingSlot : counted.perSlot) * slotsPerVertex();
     switch (stage) {
       case Stage::internal: return internal;
       case Stage::contact: return contact;
       case Stage::integrate: return integration;
-      default: return stepWork(internal, subject_.touching() ? &contact : nullptr, integration);
+      default: break;
     }
+    Work step = stepWork(internal, subject_.touching() ? &contact : nullptr, integration);
+    if (subject_.touching()) step.instructions += rebuildsPerStep() * counted.search + choicesPerStep() * counted.choice;
+    else step.instructions = counted.alone;
+    return step;
   }
 
   void finish(const Series& s, std::vector<BenchRow>& rows) const {
@@ -209,20 +231,20 @@ class SceneBench {
     };
     double time = typical(s.samples);
     row.spread = spread(s.samples);
-    if (row.stage == Stage::rebuild) {
-      row.nsPerVertexSearch = 1e9 * time;
-      time *= rebuildsPerStep();
+    const bool sometimes = row.stage == Stage::rebuild || row.stage == Stage::choice;
+    if (sometimes) {
+      row.nsPerVertexOnce = 1e9 * time;
+      time *= row.stage == Stage::rebuild ? rebuildsPerStep() : choicesPerStep();
     }
     if (!s.searches.empty()) time += rebuildsPerStep() * typical(s.searches);
     row.nsPerVertexStep = 1e9 * time;
     const bool knownLimit = row.precision == Precision::binary64;  // the machine's limits are measured with doubles
-    if (row.engine == MeasuredEngine::morula && row.threads == 1 && row.stage != Stage::rebuild && knownLimit)
-      row.work = workOf(row.stage);
+    if (row.engine == MeasuredEngine::morula && row.threads == 1 && !sometimes && knownLimit)
+      row.work = workOf(row.stage, parseIsa(row.isa));
     const bool goesThroughPairs = row.stage == Stage::step || row.stage == Stage::contact;
-    if (row.engine == MeasuredEngine::morula && subject_.touching() &&
-        (goesThroughPairs || row.stage == Stage::rebuild)) {
-      row.pairsPerVertexStep = pairsPerVertex();
-      row.rebuildsPerStep = rebuildsPerStep();
+    if (row.engine == MeasuredEngine::morula && subject_.touching() && (goesThroughPairs || sometimes)) {
+      row.pairsPerVertexStep = pairsPerVertex(), row.slotsPerVertexStep = slotsPerVertex();
+      row.rebuildsPerStep = rebuildsPerStep(), row.choicesPerStep = choicesPerStep();
     }
     rows.push_back(row);
   }
@@ -257,6 +279,7 @@ std::vector<PlannedScene> plan(const BenchOptions& options) {
   for (const int cells : options.cells)
     for (const int level : options.levels) {
       scenes.push_back({{.cells = cells, .level = level}, "packed", true});
+      scenes.push_back({{.cells = cells, .level = level, .stirred = false}, "packed-still", false});
       scenes.push_back({{.cells = cells, .level = level, .viscosity = 0.3}, "packed-viscosity", false});
       scenes.push_back({{.cells = cells, .level = level, .precision = Precision::binary32}, "packed-single", false});
       scenes.push_back({{.cells = cells, .level = level, .contact = false}, "free", false});
@@ -270,7 +293,8 @@ void addShares(BenchRow& row, const MachineLimits& limits) {
   if (!row.work) return;
   const Isa isa = parseIsa(row.isa);
   const double time = 1e-9 * row.nsPerVertexStep;
-  row.shareOfLimit = minTime(*row.work, limits, isa, double(row.cells) * row.vertices) / time;
+  row.limit = findLimit(*row.work, limits, isa, double(row.cells) * row.vertices);
+  row.shareOfLimit = row.limit->of(row.limit->bound()) / time;
   const auto& peak = limits.arithmetic.at(isa);
   row.shareOfPeak = row.work->operations / peak.operations / time;
   row.shareWithRoots = *row.shareOfPeak + row.work->roots / peak.roots / time;

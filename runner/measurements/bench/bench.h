@@ -16,13 +16,14 @@
 
 namespace morula {
 
-enum class Stage { step, internal, contact, rebuild, integrate };
+enum class Stage { step, internal, contact, rebuild, choice, integrate };
 template <>
 inline constexpr auto choices<Stage> = std::to_array<Choice<Stage>>({
     {Stage::step, "step", "a whole step"},
     {Stage::internal, "internal", "the forces of cells on themselves"},
     {Stage::contact, "contact", "the forces between cells"},
     {Stage::rebuild, "rebuild", "the search for neighbours"},
+    {Stage::choice, "choice", "the choice of pairs that may act"},
     {Stage::integrate, "integrate", "from forces to positions"},
 });
 
@@ -45,7 +46,7 @@ struct BenchOptions {
 };
 
 struct BenchRow {
-  std::string scene;  // packed, packed-viscosity, packed-single, free
+  std::string scene;  // packed, packed-still, packed-viscosity, packed-single, free
   MeasuredEngine engine = MeasuredEngine::morula;
   Stage stage = Stage::step;
   int cells = 0, vertices = 0;
@@ -58,12 +59,14 @@ struct BenchRow {
   double nsPerVertexStep = 0;               // the median; by wall clock time the shortest
   double spread = 0;                        // half the distance between quartiles, over the median
   std::optional<Work> work;                 // work per vertex and step, if a limit is known
-  std::optional<double> shareOfLimit;       // the machine's least time, over the measured one
+  std::optional<WorkLimit> limit;
+  std::optional<double> shareOfLimit;       // the longest of the limit's times, over the measured one
   std::optional<double> shareOfPeak;        // likewise for multiplications and additions alone
   std::optional<double> shareWithRoots;     // likewise with roots and their quotients after these
-  std::optional<double> nsPerVertexSearch;  // for rebuild: the time of one search
+  std::optional<double> nsPerVertexOnce;    // for rebuild and choice: the time of one for all vertices
   // Counts, which are the same on every machine.
-  std::optional<double> pairsPerVertexStep, rebuildsPerStep;
+  std::optional<double> pairsPerVertexStep, slotsPerVertexStep;  // listed pairs; chosen ones, with slices' padding
+  std::optional<double> rebuildsPerStep, choicesPerStep;
   // For rows of Bullet: all tried settings; the first is the fastest and gives the row's time.
   std::vector<BulletSettingRow> bulletSettings = {};
 };

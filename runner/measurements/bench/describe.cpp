@@ -20,8 +20,9 @@ Table machine(const MachineLimits& limits) {
   Table table{"Limits of this machine", {}};
   for (const auto& [isa, a] : limits.arithmetic)
     table.rows.push_back(
-        {name(isa), fmt::format("{:.1f} G multiplications and additions/s, {:.2f} G roots with division/s",
-                                1e-9 * a.operations, 1e-9 * a.roots)});
+        {name(isa), fmt::format("{:.1f} G multiplications and additions/s, {:.2f} G roots with division/s, "
+                                "{:.1f} G instructions/s",
+                                1e-9 * a.operations, 1e-9 * a.roots, 1e-9 * a.instructions)});
   std::string rates;
   for (const auto& [bytes, rate] : limits.bandwidth)
     rates += fmt::format("{}{} {:.0f}", rates.empty() ? "" : ", ", size(bytes), 1e-9 * rate);
@@ -51,9 +52,10 @@ std::string labelOf(const BenchRow& row) {
   return row.search.empty() ? label : label + ", " + row.search;
 }
 
-/// Describes Bullet's best settings and the times of its other settings, or the time of a search.
+/// Describes Bullet's best settings and the times of its other settings, or the time of a search or choice.
 std::string noteOf(const BenchRow& row) {
-  if (row.nsPerVertexSearch) return fmt::format("{:.0f} ns/search", *row.nsPerVertexSearch);
+  if (row.nsPerVertexOnce)
+    return fmt::format("{:.0f} ns/{}", *row.nsPerVertexOnce, row.stage == Stage::rebuild ? "search" : "choice");
   if (row.bulletSettings.empty()) return "";
   const BulletSettingRow &best = row.bulletSettings.front(), &worst = row.bulletSettings.back();
   return fmt::format("margin {:g}, {}; {:.0f} to {:.0f} over {} settings", best.margin,
@@ -61,14 +63,18 @@ std::string noteOf(const BenchRow& row) {
                      row.bulletSettings.size());
 }
 
+std::string often(const char* what, double perStep) {
+  return perStep > 0 ? fmt::format("a {} every {:.0f} steps", what, 1 / perStep) : fmt::format("no {} was due", what);
+}
+
 std::string heading(const Rows& rows) {
   const BenchRow& row = *rows.front();
   const std::string text = fmt::format("{} scene, {} cells of {} vertices", row.scene, row.cells, row.vertices);
   for (const BenchRow* r : rows)
     if (r->pairsPerVertexStep)
-      return text + fmt::format(": {:.2f} pairs per vertex, ", *r->pairsPerVertexStep) +
-             (*r->rebuildsPerStep > 0 ? fmt::format("a search every {:.0f} steps", 1 / *r->rebuildsPerStep)
-                                      : "no search was due");
+      return text + fmt::format(": {:.2f} pairs per vertex, {:.2f} of them chosen; ", *r->pairsPerVertexStep,
+                                *r->slotsPerVertexStep) +
+             often("search", *r->rebuildsPerStep) + ", " + often("choice of pairs", *r->choicesPerStep);
   return text;
 }
 
@@ -88,7 +94,9 @@ Table sceneTable(const Rows& rows, const std::vector<std::string>& isas) {
     const auto isa = static_cast<std::size_t>(std::ranges::find(isas, row->isa) - isas.begin());
     const std::size_t place = isa < isas.size() ? 1 + 2 * isa : 1;
     cells[place] = fixed(row->nsPerVertexStep, 2);
-    if (row->shareOfLimit) cells[place + 1] = {*row->shareOfLimit, fmt::format("{:.0f} %", 100 * *row->shareOfLimit)};
+    if (row->limit)
+      cells[place + 1] = {*row->shareOfLimit,
+                          fmt::format("{:.0f} % {}", 100 * *row->shareOfLimit, nameOf(row->limit->bound()))};
     cells.back() = noteOf(*row);
   }
   return table;

@@ -70,6 +70,7 @@ void LimitMeter::sample() {
     const PeakKernels& k = peakKernels(isa);
     samples.operations.push_back(rate(k.multiplyAdd) * k.operationsPerTurn);
     samples.roots.push_back(rate(k.divideRoot) * k.rootsPerTurn);
+    samples.instructions.push_back(rate(k.issue) * k.instructionsPerTurn);
   }
   for (auto& [size, samples] : bandwidth_) samples.push_back(measureBandwidth(memory_, size));
 }
@@ -77,7 +78,7 @@ void LimitMeter::sample() {
 MachineLimits LimitMeter::limits() const {
   MachineLimits limits;
   for (const auto& [isa, samples] : arithmetic_)
-    limits.arithmetic[isa] = {median(samples.operations), median(samples.roots)};
+    limits.arithmetic[isa] = {median(samples.operations), median(samples.roots), median(samples.instructions)};
   for (const auto& [size, samples] : bandwidth_) limits.bandwidth[size] = median(samples);
   return limits;
 }

@@ -1,5 +1,6 @@
 #pragma once
 // The machine's limits, measured in the same run as the stages and interleaved with them.
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -13,6 +14,7 @@ struct MachineLimits {
   struct Arithmetic {
     double operations;  // [1/s] multiplications and additions, not fused
     double roots;       // [1/s] pairs of a square root and a division
+    double instructions = INFINITY;  // [1/s] that the front end can hand on
   };
   std::map<Isa, Arithmetic> arithmetic;     // of one thread
   std::map<std::size_t, double> bandwidth;  // [byte/s] of one thread, by the size of the data [byte]
@@ -35,7 +37,7 @@ class LimitMeter {
 
  private:
   struct Samples {
-    std::vector<double> operations, roots;
+    std::vector<double> operations, roots, instructions;
   };
   std::map<Isa, Samples> arithmetic_;
   std::map<std::size_t, std::vector<double>> bandwidth_;

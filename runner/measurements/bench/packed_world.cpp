@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "base/error.h"
@@ -36,24 +38,41 @@ std::vector<Point> spreadPoints(int count, double radius) {
   return points;
 }
 
-/// Moves each pair of points that are too close apart by a quarter of the missing distance, all at once. O(count²).
-void pushApart(std::vector<Point>& points, double distance, double radius) {
-  std::vector<Vector> move(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = i + 1; j < points.size(); ++j) {
-      const Vector d = points[j] - points[i];
-      const double square = dot(d, d);
-      if (square >= distance * distance || square == 0) continue;
-      const Vector push = (0.25 * (distance / std::sqrt(square) - 1)) * d;
-      move[i] -= push;
-      move[j] += push;
+/// Points by the cubes of a grid over the unit ball, no narrower than `distance`.
+class PointGrid {
+ public:
+  PointGrid(const std::vector<Point>& points, double distance)
+      : side_(std::max(1, static_cast<int>(2 / (1.01 * distance)))), begin_(std::size_t(side_) * side_ * side_ + 1) {
+    for (const Point& p : points) cube_.push_back({index(p.x), index(p.y), index(p.z)});
+    for (const auto& c : cube_) ++begin_[number(c[0], c[1], c[2]) + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    std::vector<std::int32_t> next = begin_;
+    members_.resize(points.size());
+    for (std::size_t i = 0; i < cube_.size(); ++i) {
+      const auto& c = cube_[i];
+      members_[next[number(c[0], c[1], c[2])]++] = static_cast<std::int32_t>(i);
     }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i] += move[i];
-    const double r = norm(points[i]);
-    if (r > radius) points[i] = (radius / r) * points[i];
   }
-}
+  /// Sets `near` to the points after i in the cubes around it, in rising order: all that are closer than `distance`.
+  void findAfter(std::int32_t i, std::vector<std::int32_t>& near) const {
+    near.clear();
+    const auto [x, y, z] = cube_[i];
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, side_ - 1); ++u)
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, side_ - 1); ++v)
+        for (int w = std::max(z - 1, 0); w <= std::min(z + 1, side_ - 1); ++w)
+          for (auto m = begin_[number(u, v, w)]; m < begin_[number(u, v, w) + 1]; ++m)
+            if (members_[m] > i) near.push_back(members_[m]);
+    std::ranges::sort(near);
+  }
+
+ private:
+  int index(double a) const { return std::clamp(static_cast<int>(0.5 * (a + 1) * side_), 0, side_ - 1); }
+  int number(int x, int y, int z) const { return (x * side_ + y) * side_ + z; }
+
+  int side_;  // [cube]
+  std::vector<std::array<int, 3>> cube_;
+  std::vector<std::int32_t> begin_, members_;
+};
 
 void nameByHalving(std::span<Point> points, const CellPath& path, std::vector<PlacedCell>& cells) {
   if (points.size() == 1) {
@@ -156,6 +175,28 @@ std::string digest(const std::vector<double>& numbers) {
 }  // namespace
 
 double shareRadius(int count) { return 1 / cubeRoot(count); }
+
+void pushApart(std::vector<Point>& points, double distance, double radius) {
+  const PointGrid grid(points, distance);
+  std::vector<Vector> move(points.size());
+  std::vector<std::int32_t> near;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    grid.findAfter(static_cast<std::int32_t>(i), near);
+    for (const std::int32_t j : near) {
+      const Vector d = points[j] - points[i];
+      const double square = dot(d, d);
+      if (square >= distance * distance || square == 0) continue;
+      const Vector push = (0.25 * (distance / std::sqrt(square) - 1)) * d;
+      move[i] -= push;
+      move[j] += push;
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] += move[i];
+    const double r = norm(points[i]);
+    if (r > radius) points[i] = (radius / r) * points[i];
+  }
+}
 
 std::vector<PlacedCell> packBall(int count) {
   const double share = shareRadius(count), radius = count == 1 ? 0 : 1 - 0.75 * share;

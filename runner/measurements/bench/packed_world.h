@@ -22,6 +22,11 @@ struct PlacedCell {
   Point centre;
 };
 
+/// Moves each pair of points in the unit ball that are closer than `distance` apart by a quarter of the missing
+/// distance, all at once, and back to `radius` from its centre. Each point's moves are summed in the order of the other
+/// points, so that the bits are those of a loop over all pairs.
+void pushApart(std::vector<Point>& points, double distance, double radius);
+
 /// Returns `count` ≥ 1 centres in the unit ball, by path, without chance: an additive recurrence spreads them [Roberts
 /// 2018], and centres too close push each other apart. Repeated halving across the longest side names them, as division
 /// across the longest axis would.
@@ -36,6 +41,7 @@ struct PackedScene {
   double viscosity = 0;  // of contacts; elegans-128 has 0.3
   bool contact = true;   // false: no contact and no shell, so cells are independent
   Precision precision = Precision::binary64;
+  bool stirred = true;  // false: cells lie still (subject.h)
 };
 
 /// Returns the scene for makeWorld. Its one egg is no cell of the packed world.

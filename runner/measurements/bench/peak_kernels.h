@@ -1,6 +1,6 @@
 #pragma once
 // Kernels for the machine's peak speeds, one table per instruction set: only multiplications and additions in
-// registers, or only memory.
+// registers, only memory, or only instructions.
 #include <cstddef>
 
 #include "base/isa.h"
@@ -15,6 +15,9 @@ struct PeakKernels {
   double (*divideRoot)(long turns);
   /// Computes a ← b + 2c: 24 bytes per element. `count`: a multiple of 8. Arrays begin on cache lines.
   void (*triad)(double* a, const double* b, const double* c, std::size_t count);
+  int instructionsPerTurn;
+  /// Runs `turns` turns of instructions that need no unit, so that only fetching and decoding them takes time.
+  double (*issue)(long turns);
 };
 
 const PeakKernels& peakKernels(Isa isa);

@@ -32,6 +32,13 @@ double secondsPerCall(ClockKind clock, const Call& call) {
 
 }  // namespace
 
+std::uint64_t countSlots(const Contacts& c) {
+  std::uint64_t slots = 0;
+  for (const BlockLists& block : c.list.perBlock)
+    for (const NeighbourSlice& slice : block.slices) slots += std::uint64_t(slice.length) * blockLanes;
+  return slots;
+}
+
 void stir(World& world) {
   Bodies& b = *world.bodies;
   const double edge = b.mesh.meanRestLength * b.restScale[0];
@@ -52,7 +59,8 @@ void stir(World& world) {
 
 Subject::Subject(const PackedScene& packed, int maxThreads, const std::filesystem::path& folder,
                  const std::function<void(const std::string&)>& tell)
-    : world_(makePackedWorld(packed, {.isa = bestIsa(), .threads = maxThreads}, folder, tell)) {
+    : world_(makePackedWorld(packed, {.isa = bestIsa(), .threads = maxThreads}, folder, tell)),
+      stirred_(packed.stirred) {
   useIsa(bestIsa(), 1);
   goOn(bestIsa(), warmUp);
   counters_ = {};
@@ -80,15 +88,19 @@ void Subject::useIsa(Isa isa, int threads) {
 
 Subject::State Subject::keep() const {
   const Bodies& b = *world_.bodies;
-  State s{b.position, b.velocity, b.acceleration, {}, {}};
-  if (world_.contacts) s.rows = world_.contacts->rows, s.farthest = world_.contacts->farthest;
+  State s{b.position, b.velocity, b.acceleration, {}, {}, {}};
+  if (!world_.contacts) return s;
+  const Contacts& c = *world_.contacts;
+  s.rows = c.rows, s.farthest = c.farthest, s.acting = c.acting;
   return s;
 }
 
 void Subject::restore(const State& s) {
   Bodies& b = *world_.bodies;
   b.position = s.position, b.velocity = s.velocity, b.acceleration = s.acceleration;
-  if (world_.contacts) world_.contacts->rows = s.rows, world_.contacts->farthest = s.farthest;
+  if (!world_.contacts) return;
+  Contacts& c = *world_.contacts;
+  c.rows = s.rows, c.farthest = s.farthest, c.acting = s.acting;
 }
 
 template <class Call>
@@ -147,10 +159,27 @@ Contacts Subject::contactsToSearch(Isa isa, ContactSearch method) const {
 
 double Subject::timeRebuild(Isa isa, ContactSearch method, ClockKind clock, int threads) {
   Contacts other = contactsToSearch(isa, method);
+  refreshList(other, *world_.bodies, threads);  // takes the points to search
+  return secondsPerCall(clock, [&] { findNeighbourLists(other.list, *world_.bodies, other.radius, threads); }) /
+         vertices();
+}
+
+double Subject::lists() const {
+  double lists = 0;
+  for (const BlockLists& block : world_.contacts->list.perBlock)
+    lists += double(std::ranges::count_if(block.length, [](std::int32_t length) { return length > 0; }));
+  return lists;
+}
+
+double Subject::timeChoice(Isa isa, ClockKind clock, int threads) {
+  Contacts other = *world_.contacts;
+  other.kernels = contactsWith(isa, world_.execution.search).kernels;
+  ActingPairs before = other.acting;  // how fast gaps change decides how many pairs are chosen
+  before.endedSoon = 0;
   return secondsPerCall(clock,
                         [&] {
-                          other.listIsValid = false;
-                          refreshList(other, *world_.bodies, threads);
+                          other.acting = before;
+                          choosePairs(other, *world_.bodies, threads);
                         }) /
          vertices();
 }
@@ -212,18 +241,23 @@ StepTime Subject::trySteps(Isa isa, int threads, ClockKind clock, int count) {
 
 StepTime Subject::goOn(Isa isa, int count) {
   useIsa(isa, 1);
-  stir(world_);
+  if (stirred_) stir(world_);
   const auto rebuilds = world_.contacts ? world_.contacts->rebuilds : 0;
+  const auto thinned = world_.contacts ? world_.contacts->listsThinned : 0;
   const StepTime time = timeSteps(
       ClockKind::cpu, count,
       [&] {
         if (world_.contacts) counters_.pairs += world_.contacts->list.pairs;
       },
       [&](int done) {
-        if (done % stirEvery == 0) stir(world_);
+        if (done % stirEvery != 0 && done != count) return;  // where other groups end is the clock's doing
+        if (world_.contacts) counters_.slots += countSlots(*world_.contacts), ++counters_.looks;
+        if (stirred_ && done % stirEvery == 0) stir(world_);
       });
   counters_.steps += static_cast<std::uint64_t>(count);
-  if (world_.contacts) counters_.rebuilds += world_.contacts->rebuilds - rebuilds;
+  if (!world_.contacts) return time;
+  counters_.rebuilds += world_.contacts->rebuilds - rebuilds;
+  counters_.listsThinned += world_.contacts->listsThinned - thinned;
   return time;
 }
 

@@ -24,12 +24,17 @@ using StepTime = double;
 
 /// Counters of a step, equal on every machine, instruction set and number of threads.
 struct StepCounters {
-  std::uint64_t steps = 0, rebuilds = 0, pairs = 0;  // pairs: visited entries of the lists
+  std::uint64_t steps = 0, rebuilds = 0, pairs = 0;  // pairs: entries of the lists
+  std::uint64_t listsThinned = 0;                    // lists that acting pairs were chosen from
+  std::uint64_t slots = 0, looks = 0;                // slots of the slices, summed over so many looks
 };
 
 /// Keeps a packed world moving, so that it is timed like a living organism. Gives every cell a random push, then scales
 /// all velocities so that vertices move by `stirredMove` per step. The same step gets the same pushes in every call.
 void stir(World& world);
+
+/// Returns how many slots of slices forces go through: chosen pairs, and the far row where lists are shorter.
+std::uint64_t countSlots(const Contacts& contacts);
 
 class Subject {
  public:
@@ -45,14 +50,18 @@ class Subject {
   double timeContact(Isa isa);
   /// Returns the world's contacts before their first search.
   Contacts contactsToSearch(Isa isa, ContactSearch method) const;
-  /// Times one search for neighbours, due or not.
+  /// Returns the number of vertices that have neighbours in their list.
+  double lists() const;
+  /// Times one search for neighbours, due or not, without the choice of pairs that follows it.
   double timeRebuild(Isa isa, ContactSearch method, ClockKind clock = ClockKind::cpu, int threads = 1);
+  /// Times one choice of pairs for all vertices, due or not, as the present state asks for.
+  double timeChoice(Isa isa, ClockKind clock = ClockKind::cpu, int threads = 1);
   /// Times the inner forces in ordinary code.
   double timeOrdinaryForces();
 
   /// Times whole steps from the present state, which is restored.
   StepTime trySteps(Isa isa, int threads, ClockKind clock, int count);
-  /// Times whole steps that move the state on, with regular stirring, and adds to the counters.
+  /// Times whole steps that move the state on, with regular stirring unless cells lie still, and adds to the counters.
   StepTime goOn(Isa isa, int count);
   const StepCounters& counters() const { return counters_; }
 
@@ -61,6 +70,7 @@ class Subject {
     Reals position, velocity, acceleration;
     AlignedVector<RowMemory> rows;
     AlignedVector<double> farthest;
+    ActingPairs acting;
   };
   /// Returns empty contacts with the world's parameters.
   Contacts contactsWith(Isa isa, const SearchSettings& search) const;
@@ -75,6 +85,7 @@ class Subject {
   StepTime timeSteps(ClockKind clock, int count, const Each& each, const After& after);
 
   World world_;
+  bool stirred_;
   std::vector<OrdinaryCell> ordinary_;
   StepCounters counters_;
 };

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "bench/packed_world.h"
+#include "bench/subject.h"
 #include "bench/work.h"
 #include "contacts/contacts.h"
 #include "observation/measures.h"
@@ -154,7 +155,11 @@ void measureContact(World& world, StepRates& rates) {
   const double all = timing.ofStep([](World& w) { w.connections.reset(); }) - alone;
   const bool slips = own.parameters.law != ContactLaw::thesis && own.parameters.viscosity > 0;
   const double viscosity = slips ? std::clamp(all + alone - timing.ofStep(smooth), 0.0, std::max(all, 0.0)) : 0;
-  const double snapshots = contactWork(0, false).operations / contactWork(perVertex, false).operations;
+  const double slots = double(countSlots(own)) / vertices(world);
+  const auto operations = [&](double n) {  // a plain snapshot has 16, its pairs some 50, with v·h, κ and the fade
+    return own.scratch.empty() ? 16 + 50 * n : contactWork(world.bodies->mesh, n, false).operations;
+  };
+  const double snapshots = operations(0) / operations(slots);
   rates.viscosityOfPair = viscosity / (evaluations * perVertex);
   rates.snapshots = std::max(all - viscosity, 0.0) * snapshots;
   rates.pair = std::max(all - viscosity, 0.0) * (1 - snapshots) / (evaluations * perVertex);

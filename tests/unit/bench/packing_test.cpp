@@ -1,5 +1,7 @@
 // Packed cells: their start, and that they fill their shell.
 #include "bench/packed_world.h"
+
+#include "base/random.h"
 #include "bench/subject.h"
 #include "catch.h"
 #include "observation/measures.h"
@@ -14,6 +16,24 @@ bool same(const std::vector<Body>& a, const std::vector<Body>& b) {
     return std::tie(x.position, x.velocity, x.mass, x.restScale, x.pressureConstant) ==
            std::tie(y.position, y.velocity, y.mass, y.restScale, y.pressureConstant);
   });
+}
+
+/// Moves points apart as pushApart does, over all pairs.
+void pushAllApart(std::vector<Point>& points, double distance, double radius) {
+  std::vector<Vector> move(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j) {
+      const Vector d = points[j] - points[i];
+      const double square = dot(d, d);
+      if (square >= distance * distance || square == 0) continue;
+      const Vector push = (0.25 * (distance / std::sqrt(square) - 1)) * d;
+      move[i] -= push;
+      move[j] += push;
+    }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] += move[i];
+    if (const double r = norm(points[i]); r > radius) points[i] = (radius / r) * points[i];
+  }
 }
 
 std::vector<Body> someBodies() {
@@ -39,6 +59,22 @@ TEST_CASE("Cells begin apart from each other, inside the ball, in order of their
       }
     }
     if (count > 1) CHECK(nearest > shareRadius(count));
+  }
+}
+
+TEST_CASE("Points are pushed apart as by a loop over all pairs, to the bit, wherever they lie") {
+  for (const std::uint32_t count : {1u, 2u, 64u, 500u}) {
+    CAPTURE(count);
+    const double distance = 1.7 * shareRadius(static_cast<int>(count)), radius = 1 - 0.75 * shareRadius(count);
+    std::vector<Point> points;
+    for (std::uint32_t i = 0; i < count; ++i)  // also on the ball's surface, and one at another's place
+      points.push_back((i % 5 == 0 ? 1 : 0.2 * (i % 5)) * randomDirection({1, {}, i % 499, Purpose::test}));
+    std::vector<Point> expected = points;
+    for (int round = 0; round < 8; ++round) {
+      pushApart(points, distance, radius);
+      pushAllApart(expected, distance, radius);
+      REQUIRE(points == expected);
+    }
   }
 }
 

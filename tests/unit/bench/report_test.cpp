@@ -1,12 +1,17 @@
 // Bench reports: ratios, text and picture of rows, and one bench from end to end.
 #include <algorithm>
+#include <map>
 #include <set>
+#include <sstream>
 
 #include "bench/bench.h"
+#include "bench/packed_world.h"
+#include "bench/subject.h"
 #include "bench/work.h"
 #include "catch.h"
 #include "contacts/contact_search.h"
 #include "drawing/palette.h"
+#include "temporary_folder.h"
 
 using namespace morula;
 
@@ -86,17 +91,54 @@ TEST_CASE("Work is counted per vertex: an icosahedron by hand") {
   CHECK(still.roots == 2.5);
   p.membrane.damping = 1, p.drag = 1;
   CHECK(internalWork(mesh, p).operations == Approx(still.operations + 2.5 * 11 + 6));
-  CHECK(contactWork(2, false).operations - contactWork(1, false).operations == 50);
+  // Contact, with rings walked as six: 95 of the snapshot, 30 of f and t, 141 to the vertices; 81 or 108 per slot.
+  CHECK(contactWork(mesh, 0, false).operations == 266);
+  CHECK(contactWork(mesh, 2, false).operations == 266 + 2 * 81);
+  CHECK(contactWork(mesh, 2, true).operations == 266 + 2 * 108);
+  CHECK(contactWork(mesh, 2, true).roots == 3.5);
 }
 
-TEST_CASE("The least time is that of the scarcest") {
+TEST_CASE("The limit is that of the scarcest part of the machine") {
   MachineLimits limits;
-  limits.arithmetic[Isa::scalar] = {10, 2};
+  limits.arithmetic[Isa::scalar] = {10, 2, 100};
   limits.bandwidth = {{100, 50}, {1000, 5}};
-  CHECK(minTime({20, 0, 0, 0}, limits, Isa::scalar, 1) == 2);
-  CHECK(minTime({20, 6, 0, 0}, limits, Isa::scalar, 1) == 3);
-  CHECK(minTime({20, 6, 50, 10}, limits, Isa::scalar, 1) == 3);
-  CHECK(minTime({20, 6, 50, 10}, limits, Isa::scalar, 20) == 10);
+  for (const auto& [work, vertices, bound, seconds] :
+       {std::tuple{Work{20, 0, 0, 0}, 1, Bound::ports, 2},
+        {Work{20, 6, 0, 0}, 1, Bound::divider, 3},
+        {Work{20, 6, 50, 10, 0}, 1, Bound::divider, 3},
+        {Work{20, 6, 50, 10, 0}, 20, Bound::memory, 10},
+        {Work{20, 6, 50, 10, 1200}, 20, Bound::frontEnd, 12}}) {
+    const WorkLimit limit = findLimit(work, limits, Isa::scalar, vertices);
+    CHECK(limit.bound() == bound);
+    CHECK(limit.of(bound) == seconds);
+  }
+}
+
+TEST_CASE("Instructions of stages are those that tests/cost counts, with the slots of its cells") {
+  std::map<std::pair<std::string, std::string>, double> counted;  // by kernel and instruction set
+  std::istringstream lines(readText(MORULA_SOURCE_DIR "/tests/cost/expected_instructions.txt"));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string kernel, isa;
+    double number;
+    if (words >> kernel >> isa >> number) counted[{kernel, isa}] = number;
+  }
+  const World world = makePackedWorld({.cells = 16, .level = 1, .viscosity = 0.3});
+  const double slots = double(countSlots(*world.contacts)) / world.bodies->livingVertices;
+  for (const Isa isa : {Isa::narrow, Isa::avx2}) {
+    const Instructions& i = instructionsOf(isa);
+    for (const auto& [kernel, stated] : {std::pair{"internal", i.internal},
+                                         {"integrate", i.integration},
+                                         {"contact-dry", i.contact + i.perSlot * slots},
+                                         {"contact", i.contact + i.perSlidingSlot * slots},
+                                         {"sixteen-steps-alone", 16 * i.alone},
+                                         {"choice", i.choice},
+                                         {"search", i.search + i.choice},
+                                         {"step", i.internal + i.integration + i.contact + i.perSlidingSlot * slots}}) {
+      CAPTURE(kernel, name(isa));
+      CHECK(stated == Approx(counted[{kernel, name(isa)}]).epsilon(0.05));
+    }
+  }
 }
 
 TEST_CASE("A bench of eight cells holds a row for everything that was asked for, and only that") {
@@ -104,7 +146,7 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
   options.cells = {8};
   options.levels = {1};
   options.isas = availableIsas();
-  options.stages = {Stage::step, Stage::internal, Stage::contact, Stage::rebuild, Stage::integrate};
+  options.stages = {Stage::step, Stage::internal, Stage::contact, Stage::rebuild, Stage::choice, Stage::integrate};
   options.rounds = 1, options.stepsFactor = 0.1, options.bullet = false;
   const BenchReport report = runBench(options);
   for (const Isa isa : availableIsas())
@@ -113,13 +155,16 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
       CAPTURE(name(isa), nameOf(stage));
       REQUIRE(r);
       CHECK(r->nsPerVertexStep >= 0);
-      CHECK(r->shareOfLimit.has_value() == (stage != Stage::rebuild));
+      CHECK(r->shareOfLimit.has_value() == (stage != Stage::rebuild && stage != Stage::choice));
+      CHECK(r->limit.has_value() == r->shareOfLimit.has_value());
+      CHECK(r->nsPerVertexOnce.has_value() == !r->limit.has_value());
       CHECK(r->pairsPerVertexStep.has_value() == (stage != Stage::internal && stage != Stage::integrate));
       if (r->shareOfLimit) CHECK(*r->shareOfLimit > 0);
       if (r->shareOfPeak) CHECK(*r->shareWithRoots >= *r->shareOfPeak);
     }
   CHECK(find(report.rows, "packed", MeasuredEngine::scalar, Stage::internal, 8, 42, ""));
   CHECK(find(report.rows, "free", MeasuredEngine::morula, Stage::step, 8, 42, name(bestIsa())));
+  CHECK(find(report.rows, "packed-still", MeasuredEngine::morula, Stage::step, 8, 42, name(availableIsas().front())));
   CHECK(find(report.rows, "packed-viscosity", MeasuredEngine::morula, Stage::step, 8, 42, name(bestIsa())));
   CHECK_FALSE(find(report.rows, "packed", MeasuredEngine::bulletB1, Stage::step, 8, 42, ""));
   std::set<std::string> searches;
@@ -127,7 +172,8 @@ TEST_CASE("A bench of eight cells holds a row for everything that was asked for,
   CHECK(searches.size() == 1 + valuesOf<ContactSearch>().size());
   const std::string text = textOf(describe(report));
   CHECK_THAT(text, ContainsSubstring("packed scene, 8 cells of 42 vertices") &&
-                       ContainsSubstring("rebuild, aabb-tree") && ContainsSubstring("23.68"));
+                       ContainsSubstring("rebuild, aabb-tree") &&
+                       ContainsSubstring(" ns/choice") && ContainsSubstring(" of them chosen; ") && ContainsSubstring("23.68"));
 
   options.stages = {Stage::internal};
   for (const BenchRow& r : runBench(options).rows) CHECK(r.stage == Stage::internal);

@@ -5,6 +5,7 @@
 #include "bench/machine_limits.h"
 #include "bench/peak_kernels.h"
 #include "catch.h"
+#include "observation/measures.h"
 #include "state/state_hash.h"
 #include "system/clock.h"
 #include "worst.h"
@@ -34,10 +35,13 @@ TEST_CASE("Timing a stage leaves the state as it was") {
     if (contact)
       for (const ContactSearch method : valuesOf<ContactSearch>()) {
         CHECK(subject.timeRebuild(bestIsa(), method) > 0);
+        CHECK(subject.timeChoice(bestIsa()) > 0);
         Contacts contacts = subject.contactsToSearch(bestIsa(), method);
         refreshList(contacts, *subject.world().bodies, 1);
         CHECK(contacts.list.pairs > 0);
         CHECK(contacts.list.pairs < 20 * subject.vertices());  // only near pairs, at the surfaces' positions
+        CHECK(contacts.listsThinned == subject.lists());       // a choice for all follows the search
+        CHECK(countSlots(contacts) < contacts.list.pairs);
       }
     CHECK(stateHash(subject.world()) == before);
     CHECK(subject.world().bodies->acceleration == accelerations);
@@ -61,6 +65,9 @@ TEST_CASE("Counters are the same on every instruction set, whatever was timed in
     CHECK(c.steps == 8000);
     CHECK(c.rebuilds > 0);
     CHECK(c.pairs > 8000 * subject.vertices());
+    CHECK(c.looks == 8000 / stirEvery);
+    CHECK(c.slots < c.pairs / 8000 * c.looks);
+    CHECK(c.listsThinned > c.rebuilds * subject.lists());
     if (isa == Isa::scalar) {
       first = c;
       state = stateHash(subject.world());
@@ -68,8 +75,31 @@ TEST_CASE("Counters are the same on every instruction set, whatever was timed in
     }
     CHECK(c.rebuilds == first.rebuilds);
     CHECK(c.pairs == first.pairs);
+    CHECK(c.listsThinned == first.listsThinned);
+    CHECK(c.slots == first.slots);
     CHECK(stateHash(subject.world()) == state);
   }
+}
+
+TEST_CASE("Slots are all that the slices hold, looked at once per stirring and at the end") {
+  Subject subject = someSubject();
+  subject.goOn(bestIsa(), 10);
+  std::size_t slots = 0;
+  for (const BlockLists& block : subject.world().contacts->list.perBlock)
+    slots += block.indices.size() - linesPrefetched * blockLanes;
+  CHECK(subject.counters().slots == slots);
+  CHECK(subject.counters().looks == 1);
+  subject.goOn(bestIsa(), stirEvery + 1);
+  CHECK(subject.counters().looks == 3);
+}
+
+TEST_CASE("Cells that lie still get no pushes, and stirred ones do") {
+  const auto speed = [](bool stirred) {
+    Subject subject({.cells = 9, .level = 1, .stirred = stirred}, 1, "", [](const std::string&) {});
+    subject.goOn(bestIsa(), stirEvery);  // the last push has just come
+    return measureWorld(subject.world()).at("kinetic_energy");
+  };
+  CHECK(speed(false) < 0.05 * speed(true));
 }
 
 TEST_CASE("Ordinary code computes the same forces as the kernels, to rounding") {
@@ -113,6 +143,7 @@ TEST_CASE("What measures memory does what it says") {
     a.assign(24, 0);
     peakKernels(isa).triad(a.data(), b.data(), c.data(), 24);
     for (int i = 0; i < 24; ++i) CHECK(a[i] == 2 * i);
+    CHECK(peakKernels(isa).issue(3) == 3);
     // The chains tend to term / (1 − factor) = 1, twelve in each lane.
     const int lanes = peakKernels(isa).operationsPerTurn / 24;
     CHECK(peakKernels(isa).multiplyAdd(20'000'000 / lanes) == Approx(12 * lanes).epsilon(0.2));
