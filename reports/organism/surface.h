@@ -33,8 +33,8 @@ struct Surface {
 
 /// Returns the surface of all visible cells. Faces are bent between their vertices by Phong tessellation [Boubekeur &
 /// Alexa 2008], so that silhouettes of coarse meshes are round; the mesh's vertices do not move, except to stay inside of
-/// a shell that holds the cell (shell_wall.h). The more faces there are, the less each is split, because it is then small in the picture. Without edges `corner` is not set, and unsplit
-/// faces share their vertices.
+/// a shell that holds the cell (shell_wall.h). The more faces there are, the less each is split, because it is then small
+/// in the picture. Without edges `corner` is not set, and unsplit faces share their vertices.
 Surface makeSurface(const OrganismPicture& picture, const EyeAxes& axes, const Framing& framing, bool withEdges = true);
 
 }  // namespace morula

@@ -116,10 +116,10 @@ check("equal ones stay in their order", order[0] === 0 && order[1] === 1 && orde
 
 // Three cells of two vertices in an ellipsoid: one that it holds and that stands out a little, one inside, one that is free.
 const shell = { axes: [2, 1, 1] };
-const positions = Float32Array.from([2.1, 0, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1.005, 0, 1.3, 0, 0, 0.9, 0]);
-const frame = { count: 3, firstVertex: [0, 2, 4, 6], positions };
-const drawn = insideShell(shell, frame), expected = [2.02, 0, 0, ...positions.slice(3)];
+const places = Float32Array.from([2.1, 0, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1.005, 0, 1.3, 0, 0, 0.9, 0]);
+const frame = { count: 3, firstVertex: [0, 2, 4, 6], positions: places };
+const drawn = insideShell(shell, frame), expected = [2.02, 0, 0, ...places.slice(3)];
 check("a held cell is drawn inside of the wall, others as they are", expected.every((x, k) => Math.abs(drawn[k] - x) < 1e-6), drawn);
-check("without an ellipsoid all are drawn as they are", insideShell(null, frame) === positions && insideShell({ vertices: [], faces: [] }, frame) === positions);
+check("without an ellipsoid all are drawn as they are", insideShell(null, frame) === places && insideShell({ vertices: [], faces: [] }, frame) === places);
 if (failures) process.exit(1);
 console.log("faces are drawn in the right order, and cells in their shell");

@@ -1,4 +1,5 @@
 // The page's data for the explorer, as runner/publish/report_data/explorer_data.cpp and frames.h write them.
+import { strFromU8, unzlibSync } from "three/examples/jsm/libs/fflate.module.js";
 import type { Line } from "./live_chart";
 import { facesAcross } from "./occlusion";
 import { unpacked, type FrameHead } from "./packed";
@@ -19,6 +20,11 @@ export interface Cell {
 }
 
 export type CellRow = [path: string, name: string, born: number, ended: number, fate: Fate, state: number];
+
+interface Mesh {
+  faces: Uint32Array;
+  ball: Float32Array; // of spheres: vertices at distance 1 from the middle; empty for other cells
+}
 
 export interface Contact {
   a: number;
@@ -113,7 +119,8 @@ export class Run {
   readonly netForces: string[]; // kinds whose net force on a cell may differ from 0
   readonly meshes: Uint32Array[] = [];
   readonly across: Uint32Array[] = []; // facesAcross of each mesh
-  readonly vertexCounts: number[] = [];
+  readonly vertexCounts: number[] = []; // vertices of each mesh whose places frames hold
+  private readonly balls: Float32Array[] = []; // of spheres: vertices at distance 1 from the middle; empty for others
   readonly shell: { axes?: number[]; vertices?: number[]; faces?: number[] } | null;
   readonly radius: number;
   readonly times: number[];
@@ -137,7 +144,7 @@ export class Run {
     this.netForces = json.netForces;
     this.shell = json.shell;
     this.radius = json.radius;
-    for (const faces of json.meshes as Uint32Array[]) this.addMesh(faces);
+    for (const { faces, ball } of json.meshes as Mesh[]) this.addMesh(faces, ball);
     this.takeCells(json.cells);
     let offset = 0;
     for (const [time, step, cells, contacts, connections, size, vertexForces] of json.frames) {
@@ -147,10 +154,11 @@ export class Run {
     this.times = this.heads.map((head) => head.time);
   }
 
-  protected addMesh(faces: Uint32Array): void {
+  protected addMesh(faces: Uint32Array, ball = new Float32Array(0)): void {
     this.meshes.push(faces);
     this.across.push(facesAcross(faces));
-    this.vertexCounts.push(faces.reduce((most, v) => Math.max(most, v), -1) + 1);
+    this.balls.push(ball);
+    this.vertexCounts.push(ball.length ? 0 : faces.reduce((most, v) => Math.max(most, v), -1) + 1);
   }
 
   private get bytes(): ArrayBuffer {
@@ -241,7 +249,8 @@ export class Run {
       frame.mesh[i] = numbers[at + 1];
       frame.state[i] = numbers[at + 2];
       frame.values.set(reals.subarray(at + 7, at + words), i * m);
-      frame.firstVertex[i + 1] = frame.firstVertex[i] + this.vertexCounts[frame.mesh[i]];
+      frame.firstVertex[i + 1] =
+        frame.firstVertex[i] + this.vertexCounts[frame.mesh[i]] + this.balls[frame.mesh[i]].length / 3;
     }
     let place = head.offset + 4 * head.cells * words;
     const pairs = new Uint32Array(this.bytes, place, 3 * head.contacts),
@@ -261,14 +270,17 @@ export class Run {
         this.forces.length,
         frame.firstVertex,
       );
-    const vertices = frame.firstVertex[head.cells];
-    const grid = new Uint16Array(this.bytes, place, 3 * vertices);
-    frame.positions = new Float32Array(3 * vertices);
+    frame.positions = new Float32Array(3 * frame.firstVertex[head.cells]);
     for (let i = 0; i < head.cells; ++i) {
       const low = reals.subarray(i * words + 3, i * words + 6),
-        step = reals[i * words + 6];
-      for (let k = 3 * frame.firstVertex[i]; k < 3 * frame.firstVertex[i + 1]; k += 3)
-        for (let axis = 0; axis < 3; ++axis) frame.positions[k + axis] = low[axis] + step * grid[k + axis];
+        step = reals[i * words + 6],
+        first = 3 * frame.firstVertex[i],
+        count = 3 * frame.firstVertex[i + 1] - first,
+        ball = this.balls[frame.mesh[i]],
+        shape = ball.length ? ball : new Uint16Array(this.bytes, place, count);
+      for (let k = 0; k < count; k += 3)
+        for (let axis = 0; axis < 3; ++axis) frame.positions[first + k + axis] = low[axis] + step * shape[k + axis];
+      if (!ball.length) place += 2 * count;
     }
     return frame;
   }
@@ -290,13 +302,21 @@ export function bytesOf(id: string): Uint8Array {
   return Uint8Array.from(atob(document.getElementById(id)?.textContent ?? ""), (c) => c.charCodeAt(0));
 }
 
-const format = 4; // explorerFormat in runner/publish/report_data/explorer_data.cpp
+const format = 5; // explorerFormat in runner/publish/report_data/explorer_data.cpp
+
+/** Returns the rows of a run's cells, and the colours that the scenario gives single ones. */
+function cellsOf(run: number): { cells: CellRow[]; cellColours: Record<string, string> } {
+  return JSON.parse(strFromU8(unzlibSync(bytesOf(`cells-${run}`))));
+}
 
 /** Returns the page's data; null if a program with another format made the page. */
 export function readData(): Data | null {
   const json = JSON.parse(document.getElementById("data")!.textContent!);
   if (json.morula !== format) return null;
-  const meshes = json.meshes.map((faces: number[]) => Uint32Array.from(faces));
+  const meshes: Mesh[] = json.meshes.map((faces: number[], k: number) => ({
+    faces: Uint32Array.from(faces),
+    ball: Float32Array.from(json.balls[k]),
+  }));
   return {
     units: json.units,
     scale: json.scale,
@@ -306,7 +326,9 @@ export function readData(): Data | null {
     forces: json.forces.map(([name, colour, meaning]: string[]) => ({ name, colour, meaning })),
     runs: json.runs.map(
       (run: any, i: number) =>
-        new Run({ ...run, meshes: run.meshes.map((k: number) => meshes[k]) }, () => bytesOf(`frames-${i}`)),
+        new Run({ ...run, ...cellsOf(i), meshes: run.meshes.map((k: number) => meshes[k]) }, () =>
+          bytesOf(`frames-${i}`),
+        ),
     ),
   };
 }

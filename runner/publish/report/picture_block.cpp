@@ -80,6 +80,12 @@ void overlay(std::vector<Pictured>& all, Document& body) {
   body.add(Swipe{std::to_string(a), std::to_string(b), titleOf(*all[a].run) + " | " + titleOf(*all[b].run)});
 }
 
+/// Returns true if the edges of cells' meshes can be told apart in a picture; spheres have none.
+bool showsMeshes(const RunFacts& r) {
+  constexpr std::uint64_t most = 1024;  // cells
+  return r.run.cells <= most && r.scenario.scene.mechanics->physics.cell.model != CellModel::sphere;
+}
+
 }  // namespace
 
 PageSection pictureSection(const std::vector<RunFacts>& runs) {
@@ -102,7 +108,7 @@ PageSection pictureSection(const std::vector<RunFacts>& runs) {
                                  before(r) + "the organism " + when, std::to_string(i));
     picture.id = "picture-" + std::to_string(i);
     pictures.add(std::move(picture));
-    if (runs.size() == 1)
+    if (runs.size() == 1 && showsMeshes(r))
       pictures.add(pngPicture(drawOrganism(pictured[i].picture, Style::wireframe), before(r) + "the organism as meshes",
                               before(r) + "the meshes"));
     if (r.run.status == RunStatus::done) section.commands.push_back(commandFor(r, "render", "-o organism.png"));

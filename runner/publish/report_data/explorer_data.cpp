@@ -29,14 +29,18 @@ Json flat(const std::vector<Face>& faces) {
   return numbers;
 }
 
+Json flat(const std::vector<Point>& points) {
+  Json numbers = Json::array();
+  for (const Point& p : points)
+    for (const double x : {p.x, p.y, p.z}) numbers.push_back(x);
+  return numbers;
+}
+
 Json shellOf(const Scenario& scenario) {
   if (!scenario.scene.mechanics || !scenario.scene.mechanics->physics.shell) return {};
   const auto& shell = *scenario.scene.mechanics->physics.shell;
   if (!shell.mesh) return {{"axes", {shell.semiAxes[0], shell.semiAxes[1], shell.semiAxes[2]}}};
-  Json vertices = Json::array();
-  for (const Point& p : shell.mesh->mesh.vertices)
-    for (const double x : {p.x, p.y, p.z}) vertices.push_back(x);
-  return {{"vertices", vertices}, {"faces", flat(shell.mesh->mesh.faces)}};
+  return {{"vertices", flat(shell.mesh->mesh.vertices)}, {"faces", flat(shell.mesh->mesh.faces)}};
 }
 
 /// The states that any cell of the run had, with their substances and colours.
@@ -72,13 +76,10 @@ class States {
 };
 
 // Version of the explorer's data and of frames.h; the explorer rejects others (reports/explorer/src/data.ts).
-constexpr int explorerFormat = 4;
+constexpr int explorerFormat = 5;
 
-/// `meshes`: the faces of the meshes of all runs, each once.
-Json dataOf(const ExplorerRun& run, std::vector<std::vector<Face>>& meshes) {
-  Json json{
-      {"title", printableLine(run.title)}, {"scenario", printableLine(run.scenario->scene.name)}, {"end", run.end}};
-  States states(run);
+/// Returns the cells that ever lived, a row of each, and the colours that the scenario gives single cells.
+Json cellsOf(const ExplorerRun& run, States& states) {
   Json cells = Json::array(), own = Json::object();
   for (std::size_t i = 0; i < std::min(run.lineage->size(), maxTreeCells); ++i) {
     const LineageEntry& cell = (*run.lineage)[i];
@@ -87,8 +88,15 @@ Json dataOf(const ExplorerRun& run, std::vector<std::vector<Face>>& meshes) {
                      cell.fate == Fate::alive ? run.end : cell.ended, name(cell.fate), states.number(cell.state)});
     if (const std::string colour = states.ownColour(cell); !colour.empty()) own[cell.path.text()] = colour;
   }
-  json["cells"] = std::move(cells);
-  json["cellColours"] = std::move(own);
+  return {{"cells", std::move(cells)}, {"cellColours", std::move(own)}};
+}
+
+/// `meshes`: the meshes of all runs, each once.
+Json dataOf(const ExplorerRun& run, std::vector<FrameMesh>& meshes) {
+  Json json{
+      {"title", printableLine(run.title)}, {"scenario", printableLine(run.scenario->scene.name)}, {"end", run.end}};
+  States states(run);
+  cellsOf(run, states);  // numbers the states
   states.addTo(json);
   json["shell"] = shellOf(*run.scenario);
   json["radius"] = run.scenario->scene.mechanics ? run.scenario->scene.mechanics->physics.cell.radius : 1;
@@ -98,10 +106,10 @@ Json dataOf(const ExplorerRun& run, std::vector<std::vector<Face>>& meshes) {
   json["measures"] = run.frames->measures;
   for (const ForceKind kind : run.frames->forces) json["forces"].push_back(nameOf(kind));
   for (const ForceKind kind : kindsWithNetForce(run.frames->forces)) json["netForces"].push_back(nameOf(kind));
-  for (const auto& faces : run.frames->meshes) {
-    const auto known = std::ranges::find(meshes, faces);
+  for (const FrameMesh& mesh : run.frames->meshes) {
+    const auto known = std::ranges::find(meshes, mesh);
     json["meshes"].push_back(known - meshes.begin());
-    if (known == meshes.end()) meshes.push_back(faces);
+    if (known == meshes.end()) meshes.push_back(mesh);
   }
   for (const Frame& f : run.frames->frames)
     json["frames"].push_back({f.time, f.step, f.cells, f.contacts, f.connections, f.bytes.size(), f.vertexForces});
@@ -126,10 +134,10 @@ Json explorerData(const std::vector<ExplorerRun>& runs) {
   addPalette(json);
   for (const auto& kind : choices<ForceKind>)
     json["forces"].push_back({kind.name, hex(forceColour(kind.value)), kind.meaning});
-  std::vector<std::vector<Face>> meshes;
+  std::vector<FrameMesh> meshes;
   for (const ExplorerRun& run : runs) json["runs"].push_back(dataOf(run, meshes));
-  json["meshes"] = Json::array();
-  for (const auto& faces : meshes) json["meshes"].push_back(flat(faces));
+  json["meshes"] = Json::array(), json["balls"] = Json::array();
+  for (const FrameMesh& mesh : meshes) json["meshes"].push_back(flat(mesh.faces)), json["balls"].push_back(flat(mesh.ball));
   return json;
 }
 
@@ -139,6 +147,8 @@ std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs) {
     PageBytes bytes{"frames-" + std::to_string(i), ""};
     if (runs[i].frames && !runs[i].frames->frames.empty()) bytes.bytes = packedFrames(*runs[i].frames);
     all.push_back(std::move(bytes));
+    States states(runs[i]);
+    all.push_back({"cells-" + std::to_string(i), deflated(jsonText(cellsOf(runs[i], states)))});
   }
   return all;
 }
@@ -173,6 +183,10 @@ Document leftOutOf(const std::vector<ExplorerRun>& runs) {
       say(run, "These cells have no bodies: there is a tree, and nothing to see in three dimensions.");
     if (run.frames && run.frames->frames.empty() && !run.frames->worlds.empty())
       say(run, "One frame alone would make the page too large: a larger --size-limit shows it in three dimensions.");
+    if (run.frames && run.frames->coarser > 0)
+      say(run, "In frames with more than " + std::to_string(maxDrawnVertices) +
+                   " vertices cells are drawn with fewer vertices than they have, with the same volumes; "
+                   "`morula export --format ply` has all.");
   }
   if (const std::string thinned = thinnedText(runs); !thinned.empty())
     all.note("Thinned: " + thinned + "; a larger --size-limit keeps more.");

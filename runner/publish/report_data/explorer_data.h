@@ -22,12 +22,13 @@ struct ExplorerRun {
 };
 
 /// Max number of cells in the explorer's tree; of larger trees it shows the cells that were born first.
-inline constexpr std::size_t maxTreeCells = 20000;
+inline constexpr std::size_t maxTreeCells = 50'000;
 
 /// Adds the colours of quantities, kinds and clones, as `scale`, `series` and `clones`.
 void addPalette(Json& data);
 
-/// Returns the page's `data`. The frames of run i are in the bytes `frames-i` of explorerBytes.
+/// Returns the page's `data`. Of run i, the bytes `frames-i` of explorerBytes are its frames and `cells-i` the JSON of its
+/// cells, deflated, for trees of large organisms are long.
 Json explorerData(const std::vector<ExplorerRun>& runs);
 std::vector<PageBytes> explorerBytes(const std::vector<ExplorerRun>& runs);
 

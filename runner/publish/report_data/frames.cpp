@@ -55,6 +55,8 @@ struct Grid {
     for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = std::floor(least[axis] / step);
   }
 
+  Point corner() const { return {low[0] * step, low[1] * step, low[2] * step}; }
+
   static double coordinate(const Point& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
   std::uint16_t place(std::size_t axis, const Point& p) const {
@@ -66,6 +68,12 @@ struct Grid {
 void putShort(std::string& bytes, double value) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
   put32(bytes, std::isfinite(value) ? (bits + 0x80) & ~std::uint32_t{0xff} : bits);
+}
+
+std::size_t drawnVertices(const World& world) {
+  std::size_t count = 0;
+  for (const int slot : world.bodies->slots) count += static_cast<std::size_t>(world.bodies->vertexCount(slot));
+  return count;
 }
 
 std::uint32_t numberAmong(const World& world, const CellPath& path) {
@@ -135,11 +143,11 @@ FrameTaker::FrameTaker(double end, std::size_t most, std::optional<ForceMeter> f
   for (const CellMeasure& m : sampledMeasures<CellContext>()) frames_.measures.push_back(m.name);
 }
 
-std::uint32_t FrameTaker::meshNumber(const std::vector<Face>& faces) {
+std::uint32_t FrameTaker::meshNumber(FrameMesh mesh) {
   auto& meshes = frames_.meshes;
-  const auto found = std::find(meshes.begin(), meshes.end(), faces);
+  const auto found = std::find(meshes.begin(), meshes.end(), mesh);
   if (found != meshes.end()) return static_cast<std::uint32_t>(found - meshes.begin());
-  meshes.push_back(faces);
+  meshes.push_back(std::move(mesh));
   return static_cast<std::uint32_t>(meshes.size() - 1);
 }
 
@@ -173,17 +181,29 @@ void FrameTaker::take(const World& world) {
               .vertexForces = 0,
               .bytes = {}};
   std::string places;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Mesh mesh = cellMesh(world, world.cells.path[i]);
-    const Grid grid(mesh.vertices);
+  const bool areSpheres = world.bodies->areSpheres();
+  const int coarser = areSpheres ? 0 : levelsCoarser(drawnVertices(world));
+  if (coarser > 0) ++frames_.coarser;
+  const std::uint32_t ball = areSpheres ? meshNumber(ballFor(count)) : 0;
+  const auto putHead = [&](std::size_t i, std::uint32_t mesh, const Point& low, double step) {
     put32(frame.bytes, world.cells.entry[i]);
-    put32(frame.bytes, meshNumber(mesh.faces));
+    put32(frame.bytes, mesh);
     put32(frame.bytes, stateNumber(world.cells.state[i]));
-    for (const double x : grid.low) putFloat(frame.bytes, x * grid.step);
-    putFloat(frame.bytes, grid.step);
+    for (const double x : {low.x, low.y, low.z, step}) putFloat(frame.bytes, x);
     for (const auto& value : measured[i].values)
       putShort(frame.bytes, value.value_or(std::numeric_limits<double>::quiet_NaN()));
-    for (const Point& p : mesh.vertices)
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const Bodies& bodies = *world.bodies;
+    const int slot = bodies.slots[i];
+    if (areSpheres) {
+      putHead(i, ball, bodies.vertex(slot, 0), bodies.restScale[slot] * norm(bodies.surface.vertices[0]));
+      continue;
+    }
+    Mesh shape = coarserShape(takeSurface(bodies, slot), coarser);
+    const Grid grid(shape.vertices);
+    putHead(i, meshNumber({std::move(shape.faces), {}}), grid.corner(), grid.step);
+    for (const Point& p : shape.vertices)
       for (std::size_t axis = 0; axis < 3; ++axis) put16(places, grid.place(axis, p));
   }
   for (const ContactArea& contact : now.contacts()) {
@@ -203,7 +223,8 @@ void FrameTaker::take(const World& world) {
   putNetForces(frame.bytes, lastForces_, count, kindsWithNetForce(frames_.forces));
   frame.bytes += places;
   fillBytes(frame.bytes);
-  if (world.bodies->areSpheres()) lastForces_.clear();  // a sphere has one force and no vertices that are drawn
+  // A sphere has one force, and forces on a finer mesh have no place on a coarser one.
+  if (areSpheres || coarser > 0) lastForces_.clear();
   frames_.frames.push_back(std::move(frame));
   frames_.worlds.push_back(measureWorld(now));
 }

@@ -11,6 +11,7 @@
 #include "loop/observer.h"
 #include "mesh/mesh.h"
 #include "observation/measures.h"
+#include "report_data/frame_mesh.h"
 #include "simulation/simulation.h"
 
 namespace morula {
@@ -53,12 +54,14 @@ void putVertexForces(std::string& bytes, const std::vector<ForcesByKind>& forces
 ///   each contact:    uint32 a, b: cells of this frame; float32 area [length²]
 ///   each connection: uint32 a, b: cells of this frame
 ///   each cell:       its net forces [putNetForces]
-///   each cell:       uint16 x, y, z of each vertex: low + step · number
+///   each cell:       uint16 x, y, z of each vertex: low + step · number. None of a sphere, which has its middle in
+///                    `low` and its radius in `step`
 ///   zeros until the length is a multiple of 4.
 /// The error of a position is at most half a step, which is at most the longest side of the cell's box over 2048. A step
 /// is a power of two, so that it seldom changes from one frame to the next. Measures, areas and net forces are rounded
 /// to 16 binary digits, a relative error of 2^-16.
-/// The last frame of cells with vertices ends, from `vertexForces` on, with the forces on vertices [putVertexForces].
+/// The last frame of cells with all their vertices ends, from `vertexForces` on, with the forces on them
+/// [putVertexForces].
 struct Frame {
   double time = 0;  // [time]
   std::uint64_t step = 0;
@@ -69,7 +72,8 @@ struct Frame {
 
 struct Frames {
   std::vector<Frame> frames;              // by time
-  std::vector<std::vector<Face>> meshes;  // faces of the cells' meshes, by number of the mesh
+  std::vector<FrameMesh> meshes;          // by number of the mesh
+  std::size_t coarser = 0;                // number of taken frames whose cells have coarser meshes than in the run
   std::vector<std::string> measures;      // sampled measures of cells
   std::vector<StateId> states;            // states, by their numbers in frames
   std::vector<ForceKind> forces;          // kinds of forces on cells; empty: forces are not known
@@ -91,7 +95,7 @@ class FrameTaker : public Observer {
  private:
   /// [time] When frame `k` is due.
   double dueTime(std::size_t k) const;
-  std::uint32_t meshNumber(const std::vector<Face>& faces);
+  std::uint32_t meshNumber(FrameMesh mesh);
   std::uint32_t stateNumber(StateId state);
 
   double end_;
@@ -99,7 +103,7 @@ class FrameTaker : public Observer {
   Frames frames_;
   std::map<StateId, std::uint32_t> stateNumbers_;
   std::optional<ForceMeter> meter_;
-  std::vector<ForcesByKind> lastForces_;  // forces in the last frame; empty: unknown, or not on vertices
+  std::vector<ForcesByKind> lastForces_;  // forces in the last frame; empty: unknown, or not on its vertices
 };
 
 /// Leaves out the forces on vertices, which are larger than ten frames; cells keep their net forces.
@@ -110,6 +114,9 @@ void dropVertexForces(Frames& frames);
 /// next ones; the places of all vertices, likewise, each as its difference from the vertex's place in the frame before
 /// or, of a new cell, from the vertex before (-1, 1, -2, … as 1, 2, 3, …); the forces on vertices.
 std::string packedFrames(const Frames& frames);
+
+/// Packs bytes with zlib, as small as it can.
+std::string deflated(const std::string& bytes);
 
 /// Keeps as many frames as fit into `maxBytes` when packed, evenly spread in time; of two or more the first and the last
 /// stay. None stays if the last frame alone is larger.

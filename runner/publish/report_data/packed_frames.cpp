@@ -47,6 +47,8 @@ void addPlaces(Planes<std::uint16_t>& places, const Shape& now, const Shape& bef
   }
 }
 
+}  // namespace
+
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
@@ -58,8 +60,6 @@ std::string deflated(const std::string& bytes) {
   return packed;
 }
 
-}  // namespace
-
 std::string packedFrames(const Frames& frames) {
   Planes<std::uint32_t> words;
   Planes<std::uint16_t> places;
@@ -67,12 +67,7 @@ std::string packedFrames(const Frames& frames) {
   std::map<std::uint32_t, Shape> before;  // by the cell's number
   const std::size_t columns = 7 + frames.measures.size(), kinds = kindsWithNetForce(frames.forces).size();
   std::vector<std::size_t> vertices;  // of each mesh
-  for (const auto& faces : frames.meshes) {
-    std::size_t most = 0;
-    for (const Face& face : faces)
-      for (const auto v : face) most = std::max(most, static_cast<std::size_t>(v) + 1);
-    vertices.push_back(most);
-  }
+  for (const FrameMesh& mesh : frames.meshes) vertices.push_back(placesOf(mesh));
   for (const Frame& frame : frames.frames) {
     std::size_t at = addTable(words, frame.bytes, 0, frame.cells, columns);
     at = addTable(words, frame.bytes, at, frame.contacts, 3);
