@@ -40,7 +40,6 @@ td .mark { white-space: nowrap; }
 .pictures img { max-height: 34rem; }
 .mark.good, td.good { color: var(--good); } .mark.bad, td.bad { color: var(--bad); } .mark.warn { color: var(--warn); }
 .wide { overflow-x: auto; max-width: 100%; } .wide > table { width: max-content; max-width: max(100%, 46rem); }
-@media (max-width: 40rem) { .wide > table { width: auto; } }
 table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; }
 caption { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 th, td { text-align: left; vertical-align: top; padding: .25rem .7rem .25rem 0; border-bottom: 1px solid var(--line); }

@@ -82,6 +82,23 @@ def files():
     return set(listed.stdout.decode().split("\n")) - {""}
 
 
+def crate_of_study():
+    """Writes the crate of a study of eight runs into the root's /srv/crate; returns True if that succeeds."""
+    work = os.path.join(build, "bare-root-study")
+    for folder in (work, os.path.join(root, "srv/crate")):
+        shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(work)
+    shutil.copy(os.path.join(source, "scenarios/thesis/unique-four.yaml"), os.path.join(work, "base.yaml"))
+    with open(os.path.join(work, "small.study.yaml"), "w", encoding="utf-8") as file:
+        file.write("morula-study: 1\nname: small\nbase: base.yaml\nvary:\n  drag:\n    some: {physics.drag: 5}\n    much: {physics.drag: 10}\n"
+                   "  plane:\n    longest: {division.plane: longest}\n    random: {division.plane: random}\nseeds: 1..2\nmeasures: [sphericity, clone_radius]\n")
+    program = os.path.join(build, "morula")
+    for words in (["run", "small.study.yaml", "--out", "out", "--no-predict"], ["export", "out", "--out", os.path.join(root, "srv/crate"), "--license", "CC-BY-4.0"]):
+        if subprocess.run([program, "study", *words, "--quiet"], cwd=work, stdout=subprocess.DEVNULL, check=False).returncode != 0:
+            return False
+    return True
+
+
 inside("apt-get purge -qy morula >/dev/null 2>&1 || true; rm -rf /tmp/*")  # removes an earlier test's remains
 shutil.copy(package, os.path.join(root, "srv", "given.deb"))
 project = os.path.join(root, "srv", "project")
@@ -97,6 +114,9 @@ code, seconds = inside(steps["Install"]["run"], PACKAGE="/srv/given.deb")
 holds(f"the workflow installs the package, in {seconds:.0f} s with the network", code == 0)
 code, seconds = inside("morula run /usr/share/morula/scenarios/thesis/unique-four.yaml --out /tmp/out --quiet >/dev/null && rm -r /tmp/out")
 holds(f"a shipped scenario runs and is checked, in {seconds:.1f} s", code == 0)
+holds("a study's crate is made on this machine", crate_of_study())
+code, seconds = inside("morula study replay /srv/crate --runs 2 >/dev/null")
+holds(f"the package repeats two runs of the crate and the comparison to the byte, in {seconds:.1f} s", code == 0)
 code, seconds = inside(steps["Check"]["run"], "/srv/project", SCENARIOS="")
 holds(f"the workflow checks a project, in {seconds:.1f} s", code == 0)
 holds("there is a report", os.path.exists(os.path.join(project, "morula-report/report.html")))

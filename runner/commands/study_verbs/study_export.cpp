@@ -95,12 +95,11 @@ int act(const ExportCommand& command) {
   if (!text.empty() && text == references)
     throw UsageError("--methods: needs a name that does not end in .bib, as methods.md");
   if (!text.empty()) requireNewFile(text), requireNewFile(references);
-  requireWhole(database, command);
-  if (wantsCrate && target.extension() == ".zip") requireNewFile(target);
-  else if (wantsCrate) requireAbsent(target);
-
   std::vector<std::string> written;
   Json json{{"study", readStudyResults(database).name}};
+  if (wantsCrate && target.extension() == ".zip") requireNewFile(target);
+  else if (wantsCrate) requireAbsent(target);
+  requireWhole(database, command);
   if (!text.empty()) {
     const Methods methods = methodsOf(compareStudy(readStudyResults(database), {}), database);
     writeNewFile(text, methods.text);
