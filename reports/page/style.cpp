@@ -46,6 +46,7 @@ th, td { text-align: left; vertical-align: top; padding: .25rem .7rem .25rem 0; 
 thead th { color: var(--quiet); font-weight: normal; white-space: nowrap; }
 tbody th { font-weight: normal; }
 td { overflow-wrap: break-word; max-width: 34rem; } .long, td code { overflow-wrap: anywhere; }
+@media (max-width: 30rem) { td { max-width: 10rem; } }
 .long { display: inline-block; min-width: 10rem; } td code { display: inline-block; min-width: 8rem; }
 td.number, .whole { white-space: nowrap; overflow-wrap: normal; }
 tr.differs td { background: var(--warn-back); }

@@ -56,6 +56,21 @@ TEST_CASE("A page of a run: verdict first, where it comes from, and the same byt
   CHECK_THAT(page, ContainsSubstring("<code>morula replay"));
 }
 
+TEST_CASE("A page of very many cells draws some of their curves, and no edges of spheres") {
+  RunToReport stored;
+  writeWhole(stored.folder / "small.yaml",
+             "morula: 1\nname: many\ndna: |\n  START: n0\n  n{n}(n{n+1}|n{n}) for n in 0..8\n"
+             "  d{n}(divide|n{n}) for n in 0..8\nstop: {cycles: 10}\nrecord: {every: 0.5}\n"
+             "physics: {integrator: quasi-static, cell: {model: sphere, radius: 0.9}, shell: {sphere: 1}, contact: {}}\n"
+             "division: {plane: random}\n");
+  stored.run();
+  const std::string page = stored.report({"--frames", "4"});
+  CHECK_THAT(page, ContainsSubstring("512 cells at time 10"));
+  CHECK_THAT(page, ContainsSubstring(": each cell, 400 of "));
+  CHECK_THAT(page, ContainsSubstring("alt=\"the organism at time 10"));
+  CHECK_THAT(page, !ContainsSubstring("alt=\"the organism as meshes"));
+}
+
 TEST_CASE("Nothing is run again when no shapes are asked for, and little room is kept to") {
   RunToReport stored;
   stored.run();
