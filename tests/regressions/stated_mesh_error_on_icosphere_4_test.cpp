@@ -72,18 +72,14 @@ double difference(const std::vector<Mesh>& coarse, const std::vector<Mesh>& fine
 
 }  // namespace
 
-TEST_CASE(
-    "the stated error of a mesh is what a run on icosphere 4 shows, within a fifth where it falls with the mesh") {
+TEST_CASE("the stated error of a mesh is at least what a run on icosphere 4 shows, and at most five times as much") {
   struct Case {
     std::string name;
     double time, radius;
     std::string timeStep, fineTimeStep;
-    double within;
   };
-  // After a division finer meshes hardly converge: 0.017 is stated for 0.0218 at 1.109, a time at which `accuracy`
-  // compares. Between such times, at 1.03, the error is 0.035.
-  const Case scene = GENERATE(Case{"bullet/pressed-pair", 0.5, 1, "0.00048828125", "0.000244140625", 0.2},
-                              Case{"thesis/unique-four", 1.109375, 0.95, "0.000030517578125", "0.000244140625", 0.35});
+  const Case scene = GENERATE(Case{"bullet/pressed-pair", 0.5, 1, "0.00048828125", "0.000244140625"},
+                              Case{"thesis/unique-four", 1.109375, 0.95, "0.000030517578125", "0.000244140625"});
   const std::string root = MORULA_SOURCE_DIR;
   const std::string file = root + "/scenarios/" + scene.name + ".yaml";
   const Golden golden = readGoldenFile(root + "/golden/" + scene.name + ".golden");
@@ -94,6 +90,6 @@ TEST_CASE(
   const double found = difference(surfacesAt(file, "2", scene.timeStep, scene.time),
                                   surfacesAt(file, "4", scene.fineTimeStep, scene.time), scene.radius);
   INFO(scene.name << ": stated " << stated << ", found " << found);
-  if (hasOldErrors(golden)) CHECK(found == Approx(stated).epsilon(scene.within));
-  else CHECK(found <= stated);
+  CHECK(found <= stated);
+  CHECK(stated <= 5 * found);  // twice the largest, of any time: at this time an error may be smaller
 }

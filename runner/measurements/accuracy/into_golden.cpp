@@ -47,9 +47,9 @@ AccuracyReport stateInGolden(const ReadScenario& read, AccuracyOptions options) 
     return report;
   } catch (const InputError& error) {
     const std::string why = error.what(), place = scenario.file + ": ";
-    if (scenario.scene.mechanics && !chosen)
-      write(scenario, {GoldenUnstated{"time", {shortly(why.starts_with(place) ? why.substr(place.size()) : why)}}});
-    throw;
+    if (!scenario.scene.mechanics || chosen) throw;
+    write(scenario, {GoldenUnstated{"time", {shortly(why.starts_with(place) ? why.substr(place.size()) : why)}}});
+    throw InputError(why + "; the golden file says so now");
   }
 }
 

@@ -186,7 +186,7 @@ Document leftOutOf(const std::vector<ExplorerRun>& runs) {
     if (run.frames && run.frames->coarser > 0)
       say(run, "In frames with more than " + std::to_string(maxDrawnVertices) +
                    " vertices cells are drawn with fewer vertices than they have, with the same volumes; "
-                   "`morula export --format ply` has all.");
+                   "morula export --format ply has all.");
   }
   if (const std::string thinned = thinnedText(runs); !thinned.empty())
     all.note("Thinned: " + thinned + "; a larger --size-limit keeps more.");

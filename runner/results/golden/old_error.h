@@ -1,8 +1,7 @@
 #pragma once
 // The old form of the lines `error`, with one number for the time step and one for the mesh: the largest of at most 16
-// times. Shipped goldens have it until their errors are measured again. To remove it, delete old_error.h and
-// old_error.cpp, OldGoldenError in GoldenItem, `isOldError` in item.cpp, and use all<GoldenError>(golden.stated) for
-// `errorsOf`; the compiler and the tests named "old form" show the rest.
+// times. Goldens that earlier programs wrote are read with it, and keep it until their errors are measured again
+// (`morula review SCENARIO --into-golden`); the digest that seals a golden holds these lines as they stand.
 #include <optional>
 #include <string>
 #include <string_view>
