@@ -33,8 +33,9 @@ struct ExportCommand {
   OutputOptions output;
 };
 
-/// Throws InputError with the remedy unless the database is a merged study whose runs all have a result.
-void requireWhole(const fs::path& database, const ExportCommand& command) {
+/// Throws InputError with the remedy unless the database is a merged study whose runs all have a result. Returns words on
+/// runs that are not fine; "" if all are.
+std::string requireWhole(const fs::path& database, const ExportCommand& command) {
   const bool isFile = isStudyFile(command.study);
   if (!isMergedStudy(database.string()))
     throw InputError("'" + database.string() + "' holds runs of no study; `" + programWord() + " export " +
@@ -52,8 +53,8 @@ void requireWhole(const fs::path& database, const ExportCommand& command) {
   if (const std::size_t missing = state.counts.of(ResultState::missing))
     throw InputError(command.study + ": " + std::to_string(missing) + " of " + std::to_string(state.counts.all()) +
                      " runs have no result; compute them by `" + remedy + " --resume`, then export the study");
-  if (const std::string counts = countsInWords(state); !counts.empty())
-    tell(counts + '\n' + linesOf(state), command.output.quiet);
+  const std::string counts = countsInWords(state);
+  return counts.empty() ? "" : counts + '\n' + linesOf(state);
 }
 
 CrateFile pageOf(const fs::path& database, const ExportCommand& command) {
@@ -95,11 +96,13 @@ int act(const ExportCommand& command) {
   if (!text.empty() && text == references)
     throw UsageError("--methods: needs a name that does not end in .bib, as methods.md");
   if (!text.empty()) requireNewFile(text), requireNewFile(references);
-  std::vector<std::string> written;
-  Json json{{"study", readStudyResults(database).name}};
+  const std::string notFine = requireWhole(database, command);
   if (wantsCrate && target.extension() == ".zip") requireNewFile(target);
   else if (wantsCrate) requireAbsent(target);
-  requireWhole(database, command);
+  if (!notFine.empty()) tell(notFine, command.output.quiet);
+
+  std::vector<std::string> written;
+  Json json{{"study", readStudyResults(database).name}};
   if (!text.empty()) {
     const Methods methods = methodsOf(compareStudy(readStudyResults(database), {}), database);
     writeNewFile(text, methods.text);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t maxLines = 24;     // max number of runs in one chart
 constexpr std::size_t maxLabels = 10;    // max number of labels at the ends of lines
-constexpr std::size_t maxCellLines = 400;  // max number of cells in one chart, of 10,000 that would cover each other
+constexpr std::size_t maxCellLines = 400;  // max number of cells whose curves one chart has
 constexpr std::size_t maxTouching = 60;  // max number of cells in a matrix of contacts
 // [pixel] Small enough that words of ordinary size are legible with three charts side by side.
 constexpr int width = 420, height = 300;
@@ -128,7 +128,7 @@ std::vector<std::string> moreMeasures(const RunFacts& run) {
   return names;
 }
 
-/// Leaves lines out of charts of very many, evenly. Returns what is left of them in words; "" if all are.
+/// Keeps at most maxCellLines of the lines, evenly spread. Returns words on how many are kept; "" if all are.
 std::string thinLines(std::vector<ChartLine>& lines) {
   const std::size_t all = lines.size();
   if (all <= maxCellLines) return "";
@@ -139,11 +139,12 @@ std::string thinLines(std::vector<ChartLine>& lines) {
 
 /// Adds charts as `morula chart` draws them, but smaller.
 void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>& commands, Json& live) {
-  std::string lines, left;  // of the chart that is drawn: lines for the page's program, words on lines that are left
+  // The chart that is drawn has these lines for the page's program, and these words on how many are kept.
+  std::string lines, kept;
   const auto add = [&](const std::string& what, std::string caption, const auto& draw) {
     try {
       const Drawing drawing = draw();
-      caption += std::exchange(left, "");
+      caption += std::exchange(kept, "");
       Picture picture =
           svgPicture(drawing, caption, caption, what == "divisions" ? Picture::Size::wide : Picture::Size::usual);
       charts.add(enliven(picture, std::exchange(lines, ""), live));
@@ -159,7 +160,7 @@ void addOfOneRun(const RunFacts& run, Document& charts, std::vector<std::string>
           const Units& units = run.scenario.units;
           Chart small = timeChart(titleOfMeasure(measure, units), shownUnit(units, unitOfMeasure(measure)).name, units);
           small.lines = std::move(chart.lines);
-          left = thinLines(small.lines);
+          kept = thinLines(small.lines);
           small.legend = std::move(chart.legend);
           const auto labelled = std::count_if(small.lines.begin(), small.lines.end(), [](const ChartLine& line) {
             return !line.label.empty() || !line.pointLabels.empty();
