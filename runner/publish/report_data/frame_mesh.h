@@ -19,9 +19,9 @@ struct FrameMesh {
 /// radius.
 std::size_t placesOf(const FrameMesh& mesh);
 
-/// Frames that would draw more vertices have coarser meshes.
+/// Frames of cells with more vertices have coarser meshes.
 inline constexpr std::size_t maxDrawnVertices = 200'000;
-/// Spheres are drawn alike, and frames hold none of their vertices.
+/// Spheres may have more vertices in a frame, since they are drawn alike and frames hold none of their places.
 inline constexpr std::size_t maxBallVertices = 500'000;
 
 /// Returns the ball that is drawn for each of so many spheres: an icosphere of level 2 (162 vertices) or 1 (42).

@@ -70,12 +70,6 @@ void putShort(std::string& bytes, double value) {
   put32(bytes, std::isfinite(value) ? (bits + 0x80) & ~std::uint32_t{0xff} : bits);
 }
 
-std::size_t drawnVertices(const World& world) {
-  std::size_t count = 0;
-  for (const int slot : world.bodies->slots) count += static_cast<std::size_t>(world.bodies->vertexCount(slot));
-  return count;
-}
-
 std::uint32_t numberAmong(const World& world, const CellPath& path) {
   return static_cast<std::uint32_t>(cellNumber(world.cells, path));
 }
@@ -182,8 +176,8 @@ void FrameTaker::take(const World& world) {
               .bytes = {}};
   std::string places;
   const bool areSpheres = world.bodies->areSpheres();
-  const int coarser = areSpheres ? 0 : levelsCoarser(drawnVertices(world));
-  if (coarser > 0) ++frames_.coarser;
+  const int levels = areSpheres ? 0 : levelsCoarser(static_cast<std::size_t>(world.bodies->livingVertices));
+  bool isCoarser = false;  // not if all meshes are the coarsest ones, or no icospheres
   const std::uint32_t ball = areSpheres ? meshNumber(ballFor(count)) : 0;
   const auto putHead = [&](std::size_t i, std::uint32_t mesh, const Point& low, double step) {
     put32(frame.bytes, world.cells.entry[i]);
@@ -200,7 +194,8 @@ void FrameTaker::take(const World& world) {
       putHead(i, ball, bodies.vertex(slot, 0), bodies.restScale[slot] * norm(bodies.surface.vertices[0]));
       continue;
     }
-    Mesh shape = coarserShape(takeSurface(bodies, slot), coarser);
+    Mesh shape = coarserShape(takeSurface(bodies, slot), levels);
+    isCoarser = isCoarser || std::ssize(shape.vertices) < bodies.vertexCount(slot);
     const Grid grid(shape.vertices);
     putHead(i, meshNumber({std::move(shape.faces), {}}), grid.corner(), grid.step);
     for (const Point& p : shape.vertices)
@@ -224,7 +219,8 @@ void FrameTaker::take(const World& world) {
   frame.bytes += places;
   fillBytes(frame.bytes);
   // A sphere has one force, and forces on a finer mesh have no place on a coarser one.
-  if (areSpheres || coarser > 0) lastForces_.clear();
+  if (areSpheres || isCoarser) lastForces_.clear();
+  frames_.coarser += isCoarser;
   frames_.frames.push_back(std::move(frame));
   frames_.worlds.push_back(measureWorld(now));
 }

@@ -18,12 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::size_t vertexCount(const World& world) {
-  std::size_t count = 0;
-  for (const int slot : world.bodies->slots) count += static_cast<std::size_t>(world.bodies->vertexCount(slot));
-  return count;
-}
-
 std::vector<double> evenTimes(double end, std::size_t count) {
   std::vector<double> times;
   for (std::size_t k = 0; k + 1 < count; ++k)
@@ -60,7 +54,7 @@ void compareWithGolden(RunFacts& facts) {
 
 std::unique_ptr<BulletAgain> runInBulletAgain(const Scenario& scenario, const World& ours, std::size_t most,
                                               bool quiet) {
-  const std::size_t fit = maxFrameVertices / std::max<std::size_t>(1, vertexCount(ours));
+  const std::size_t fit = maxFrameVertices / std::max<std::size_t>(1, ours.bodies->livingVertices);
   const auto times = evenTimes(ours.clock.time, std::clamp<std::size_t>(fit, 1, std::max<std::size_t>(1, most)));
   auto again = std::make_unique<BulletAgain>();
   again->found = checkAgainstBullet(scenario, ours, quiet, times);
